@@ -1,0 +1,2 @@
+//! The `tetralux` command.
+fn main() {}

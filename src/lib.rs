@@ -1,0 +1,11 @@
+//! Direct volume rendering of unstructured meshes with bivariate transfer functions.
+
+pub mod error;
+pub mod image;
+pub mod mesh;
+pub mod renderer;
+pub mod scene;
+pub mod space;
+pub mod tet;
+
+pub use error::{Error, Result};

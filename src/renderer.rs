@@ -1,0 +1,155 @@
+//! What every renderer offers, and the closed sets of choices a user has.
+
+use std::time::Duration;
+
+use crate::error::Result;
+use crate::image::Image;
+use crate::scene::{Camera, TransferFunction};
+use crate::tet::TetMesh;
+
+/// How cells meet pixels.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// Projected tetrahedra (Shirley & Tuchman 1990): rasterised triangles, blended back to front.
+    #[default]
+    Project,
+}
+
+/// How one ray segment in one cell is integrated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SegmentIntegral {
+    /// Closed-form optical depth; colour exact for one colour and for 1D functions, weighted by depth for several widgets.
+    #[default]
+    Analytic,
+}
+
+/// In which order cells are blended.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum OrderMethod {
+    /// View depth of the cell's centroid, back to front.
+    #[default]
+    Centroid,
+}
+
+/// Where the depth sort runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SortPlace {
+    /// On the host for software adapters, on the GPU otherwise.
+    #[default]
+    Auto,
+    /// std's sort, all cores.
+    Host,
+    /// Radix sort in compute passes.
+    Gpu,
+}
+
+/// What fragments are blended into.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BlendFormat {
+    /// f32 where the adapter blends it, f16 otherwise.
+    #[default]
+    Auto,
+    /// rgba32float.
+    F32,
+    /// rgba16float in slabs of at most 256 layers, resolved to f32.
+    F16,
+}
+
+/// Choices that change how, not what, is rendered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Settings {
+    /// How cells meet pixels.
+    pub method: Method,
+    /// How segments are integrated.
+    pub integral: SegmentIntegral,
+    /// How cells are ordered.
+    pub order: OrderMethod,
+    /// Drop cells that the transfer function leaves empty.
+    pub cull: bool,
+    /// Where to sort.
+    pub sort: SortPlace,
+    /// What to blend into.
+    pub blend: BlendFormat,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            method: Method::default(),
+            integral: SegmentIntegral::default(),
+            order: OrderMethod::default(),
+            cull: true,
+            sort: SortPlace::default(),
+            blend: BlendFormat::default(),
+        }
+    }
+}
+
+/// One picture to make.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame<'a> {
+    /// From where.
+    pub camera: &'a Camera,
+    /// Classification, data units.
+    pub transfer: &'a TransferFunction,
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    /// Linear, premultiplied; composited behind the volume.
+    pub background: [f32; 4],
+}
+
+/// Time of one pass.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PassTime {
+    /// The pass's name (a shader's file name, or `host: ...`).
+    pub pass: String,
+    /// Workgroups, vertices or cells, for people to read.
+    pub work: String,
+    /// GPU timestamps, or the host's clock around submit and wait (software adapters).
+    pub time: Duration,
+}
+
+/// A named buffer and its size.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BufferSize {
+    /// The buffer's label.
+    pub name: String,
+    /// Bytes.
+    pub bytes: u64,
+}
+
+/// What happened while rendering.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stats {
+    /// Cells left after each stage, in order: (stage, cells).
+    pub cells: Vec<(String, u64)>,
+    /// Time of each pass; empty unless passes were timed.
+    pub passes: Vec<PassTime>,
+    /// Device buffers.
+    pub buffers: Vec<BufferSize>,
+    /// Adapter, driver and back end, or the CPU engine's name.
+    pub adapter: String,
+    /// Choices that the renderer made, one sentence each.
+    pub notes: Vec<String>,
+}
+
+/// A picture and how it came to be.
+#[derive(Clone, Debug)]
+pub struct Rendered {
+    /// Linear, premultiplied.
+    pub image: Image,
+    /// Counters.
+    pub stats: Stats,
+}
+
+/// Renders one mesh, again and again. Made from a mesh; holds what does not depend on the view.
+pub trait Renderer {
+    /// Renders `frame` and reads the picture back. `timed` measures every pass, at some cost.
+    fn render(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Rendered>;
+
+    /// Renders `frame` and waits for it, leaving the picture on the device: what is timed as a frame.
+    fn render_only(&mut self, frame: &Frame<'_>) -> Result<Duration>;
+
+    /// The mesh.
+    fn mesh(&self) -> &TetMesh;
+}
