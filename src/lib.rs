@@ -1,6 +1,7 @@
 //! Direct volume rendering of unstructured meshes with bivariate transfer functions.
 
 pub mod error;
+pub mod gpu;
 pub mod image;
 pub mod mesh;
 pub mod renderer;

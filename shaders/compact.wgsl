@@ -1,0 +1,61 @@
+#import shared/frame
+#import shared/counts
+
+// Turns block counts into block offsets (exclusive scan), and writes the arguments of the indirect sort and draws.
+// One workgroup: a block stands for 256 cells, so that even 100 million cells are 1,526 turns of its loop.
+
+@group(3) @binding(0) var<storage, read_write> block_counts: array<u32>; // counts in, offsets out
+@group(3) @binding(1) var<storage, read_write> counts: Counts;
+@group(3) @binding(2) var<storage, read_write> draws: array<u32>; // 5 words a batch: arguments of draw_indexed
+
+const SORT_TILE: u32 = 1024u;
+const SORT_ROW: u32 = 32768u; // below the limit of 65,535 groups a dimension
+
+var<workgroup> partial: array<u32, 256>;
+
+@compute @workgroup_size(256)
+fn main(@builtin(local_invocation_index) lane: u32) {
+    let blocks = (frame.tet_count + 255u) / 256u;
+    var before = 0u;
+    for (var first = 0u; first < blocks; first += 256u) {
+        let i = first + lane;
+        var count = 0u;
+        if i < blocks {
+            count = block_counts[i];
+        }
+        partial[lane] = count;
+        for (var reach = 1u; reach < 256u; reach *= 2u) {
+            workgroupBarrier();
+            var left = 0u;
+            if lane >= reach {
+                left = partial[lane - reach];
+            }
+            workgroupBarrier();
+            partial[lane] += left;
+        }
+        workgroupBarrier();
+        if i < blocks {
+            block_counts[i] = before + partial[lane] - count;
+        }
+        before += partial[255];
+        workgroupBarrier();
+    }
+    if lane == 0u {
+        let tiles = (before + SORT_TILE - 1u) / SORT_TILE;
+        counts.survivors = before;
+        counts.sort_tiles = tiles;
+        counts.sort_groups_x = min(tiles, SORT_ROW);
+        counts.sort_groups_y = (tiles + SORT_ROW - 1u) / SORT_ROW;
+        counts.sort_groups_z = 1u;
+    }
+    let batches = (frame.tet_count + frame.batch_cells - 1u) / frame.batch_cells;
+    for (var batch = lane; batch < batches; batch += 256u) {
+        let first_cell = batch * frame.batch_cells;
+        let cells = min(max(before, first_cell) - first_cell, frame.batch_cells);
+        draws[batch * 5u] = cells * 12u;
+        draws[batch * 5u + 1u] = select(0u, 1u, cells > 0u);
+        draws[batch * 5u + 2u] = 0u;
+        draws[batch * 5u + 3u] = first_cell * 5u;
+        draws[batch * 5u + 4u] = 0u;
+    }
+}

@@ -1,0 +1,32 @@
+// The camera, in mesh space, as every pass of a frame sees it (group 0).
+struct Frame {
+    // The eye in two parts: vertex - eye loses nothing where the camera is far away.
+    eye_high: vec3f,
+    tet_count: u32,
+    eye_low: vec3f,
+    vertex_count: u32,
+    // Clip-space x and y of a view vector: dot(row, v), over the view depth for a perspective camera.
+    x_row: vec3f,
+    // Shift of the clip-space centre of an orthographic camera is 0: kept out.
+    pixel_width: f32,
+    y_row: vec3f,
+    pixel_height: f32,
+    forward: vec3f,
+    // x/z and y/z of the ray through a pixel position p: p * ray_scale + ray_offset (perspective).
+    ray_scale_x: f32,
+    ray_scale_y: f32,
+    ray_offset_x: f32,
+    ray_offset_y: f32,
+    // Cells a draw covers.
+    batch_cells: u32,
+    background: vec4f,
+}
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+// True for a perspective camera.
+override PERSPECTIVE: bool = true;
+
+fn from_eye(position: vec3f) -> vec3f {
+    return (position - frame.eye_high) - frame.eye_low;
+}

@@ -1,0 +1,81 @@
+//! Every struct that a shader sees, as the host writes it. `tests/layout.rs` compares each with naga's layout.
+
+use bytemuck::{Pod, Zeroable};
+
+/// `shared/frame.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "the fields are documented in the shader")]
+pub struct Frame {
+    pub eye_high: [f32; 3],
+    pub tet_count: u32,
+    pub eye_low: [f32; 3],
+    pub vertex_count: u32,
+    pub x_row: [f32; 3],
+    pub pixel_width: f32,
+    pub y_row: [f32; 3],
+    pub pixel_height: f32,
+    pub forward: [f32; 3],
+    pub ray_scale_x: f32,
+    pub ray_scale_y: f32,
+    pub ray_offset_x: f32,
+    pub ray_offset_y: f32,
+    pub batch_cells: u32,
+    pub background: [f32; 4],
+}
+
+/// `shared/range.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "the fields are documented in the shader")]
+pub struct Range {
+    pub first_tet: u32,
+    pub tet_count: u32,
+    pub pad_a: u32,
+    pub pad_b: u32,
+}
+
+/// `shared/counts.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "the fields are documented in the shader")]
+pub struct Counts {
+    pub survivors: u32,
+    pub sort_tiles: u32,
+    pub pad_a: u32,
+    pub pad_b: u32,
+    pub sort_groups_x: u32,
+    pub sort_groups_y: u32,
+    pub sort_groups_z: u32,
+    pub pad_c: u32,
+}
+
+/// `shared/transfer.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "the fields are documented in the shader")]
+pub struct Widget {
+    pub whiten: [f32; 4],
+    pub center: [f32; 2],
+    pub extinction: f32,
+    pub shape: u32,
+    pub color: [f32; 3],
+    pub pad: f32,
+    pub scalar_low: f32,
+    pub scalar_high: f32,
+    pub gradient_low: f32,
+    pub gradient_high: f32,
+}
+
+/// `shared/transfer.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "the fields are documented in the shader")]
+pub struct Piece {
+    pub low: [f32; 4],
+    pub high: [f32; 4],
+    pub scalar_low: f32,
+    pub scalar_high: f32,
+    pub inverse_width: f32,
+    pub pad: f32,
+}

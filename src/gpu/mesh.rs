@@ -1,0 +1,151 @@
+//! The mesh on the device: what does not depend on the view.
+
+use rayon::prelude::*;
+
+use crate::error::{Error, Result};
+use crate::gpu::device::Gpu;
+use crate::space::Interval;
+use crate::tet::TetMesh;
+
+/// Tetrahedra to a range start: a multiple of this keeps every binding's offset aligned.
+pub const RANGE_STEP: u64 = 65_536;
+
+/// Maps data units to 0..1, in f64, before anything is narrowed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Normalisation {
+    /// Data value that becomes 0.
+    pub low: f64,
+    /// Per data unit.
+    pub scale: f64,
+}
+
+impl Normalisation {
+    /// The range becomes 0..1; a range without extent becomes 0.
+    pub fn of(range: Interval) -> Self {
+        let length = range.length();
+        let low = if range.min.is_finite() { range.min } else { 0.0 };
+        Self { low, scale: if length > 0.0 { 1.0 / length } else { 1.0 } }
+    }
+
+    /// Data value to 0..1.
+    pub fn apply(self, value: f64) -> f64 {
+        (value - self.low) * self.scale
+    }
+}
+
+/// A part of the tetrahedra that fits one binding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TetRange {
+    /// First tetrahedron.
+    pub first: u32,
+    /// How many.
+    pub count: u32,
+}
+
+/// Device buffers of a mesh.
+pub struct MeshBuffers {
+    /// Position (mesh space) and scalar (0..1) of each vertex.
+    pub vertices: wgpu::Buffer,
+    /// Gradient magnitude (0..1) of each vertex; 16 bytes until a scene needs it.
+    pub gradients: wgpu::Buffer,
+    /// Vertex ids of each tetrahedron, ascending.
+    pub tets: wgpu::Buffer,
+    /// 6 x volume of each tetrahedron as rounded to f32, negative where ascending ids are an odd permutation.
+    pub volumes: wgpu::Buffer,
+    /// Number of vertices.
+    pub vertex_count: u32,
+    /// Number of tetrahedra.
+    pub tet_count: u32,
+    /// How scalars became 0..1.
+    pub scalar: Normalisation,
+    /// How gradient magnitudes became 0..1.
+    pub gradient: Normalisation,
+    has_gradients: bool,
+}
+
+impl MeshBuffers {
+    /// Uploads a mesh with room for `spare` more vertices and tetrahedra (pieces of cells cut by the near plane).
+    ///
+    /// # Errors
+    /// More vertices than one binding holds.
+    pub fn new(gpu: &Gpu, mesh: &TetMesh, spare_vertices: u64, spare_tets: u64) -> Result<Self> {
+        let scalar = Normalisation::of(mesh.scalar_range());
+        let gradient = Normalisation::of(mesh.gradient_range());
+        let vertex_count = mesh.vertices.len() as u64;
+        if (vertex_count + spare_vertices) * 16 > gpu.max_binding {
+            return Err(Error::Device(format!(
+                "the mesh has {vertex_count} vertices, {} MiB on the device, and '{}' binds at most {} MiB at once; \
+                 render with --device oracle, or a coarser mesh",
+                vertex_count * 16 >> 20,
+                gpu.info.name,
+                gpu.max_binding >> 20
+            )));
+        }
+        let positions: Vec<[f32; 4]> = mesh
+            .vertices
+            .par_iter()
+            .zip(&mesh.scalar)
+            .map(|(p, &s)| [p.x as f32, p.y as f32, p.z as f32, scalar.apply(s) as f32])
+            .collect();
+        let vertices = padded(gpu, "vertices", &positions, spare_vertices);
+        let (tets, volumes): (Vec<[u32; 4]>, Vec<f32>) =
+            mesh.tets.par_iter().map(|&tet| ascending(tet, &positions)).unzip();
+        let tet_buffer = padded(gpu, "tets", &tets, spare_tets);
+        drop(tets);
+        let volumes = padded(gpu, "volumes", &volumes, spare_tets);
+        let gradients = gpu.storage("gradients", &[0.0f32; 4]);
+        Ok(Self {
+            vertices,
+            gradients,
+            tets: tet_buffer,
+            volumes,
+            vertex_count: vertex_count as u32,
+            tet_count: mesh.tets.len() as u32,
+            scalar,
+            gradient,
+            has_gradients: false,
+        })
+    }
+
+    /// Uploads gradient magnitudes, if no scene needed them before.
+    pub fn need_gradients(&mut self, gpu: &Gpu, mesh: &TetMesh, spare_vertices: u64) {
+        if self.has_gradients {
+            return;
+        }
+        let values: Vec<f32> = mesh.gradient_magnitude.par_iter().map(|&g| self.gradient.apply(g) as f32).collect();
+        self.gradients = padded(gpu, "gradients", &values, spare_vertices);
+        self.has_gradients = true;
+    }
+}
+
+/// `tet_count` tetrahedra in parts whose widest binding (16 bytes a tetrahedron) fits.
+pub fn ranges(tet_count: u32, max_binding: u64) -> Vec<TetRange> {
+    let most = (max_binding / 16 / RANGE_STEP * RANGE_STEP).clamp(RANGE_STEP, 1 << 31) as usize;
+    (0..tet_count).step_by(most).map(|first| TetRange { first, count: (tet_count - first).min(most as u32) }).collect()
+}
+
+/// A tetrahedron's vertices in ascending order, and 6 x its signed volume from the f32 positions: faces shared by two
+/// cells are then evaluated from the same vertices in the same order. Cells that rounding flattened get 0.
+pub fn ascending(tet: [u32; 4], positions: &[[f32; 4]]) -> ([u32; 4], f32) {
+    let at = |v: u32| {
+        let p = positions[v as usize];
+        glam::DVec3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2]))
+    };
+    let six_volumes = |t: [u32; 4]| (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).dot(at(t[3]) - at(t[0]));
+    if !(six_volumes(tet) > 0.0) {
+        let mut sorted = tet;
+        sorted.sort_unstable();
+        return (sorted, 0.0);
+    }
+    let mut sorted = tet;
+    sorted.sort_unstable();
+    (sorted, six_volumes(sorted) as f32)
+}
+
+fn padded<T: bytemuck::Pod>(gpu: &Gpu, label: &str, data: &[T], spare: u64) -> wgpu::Buffer {
+    let size = size_of::<T>() as u64;
+    let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST;
+    let buffer = gpu.buffer(label, (data.len() as u64 + spare) * size, usage);
+    gpu.write(&buffer, 0, bytemuck::cast_slice(data));
+    buffer
+}

@@ -1,0 +1,467 @@
+//! Projected tetrahedra on the GPU: the passes of a frame, in order.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use glam::DVec3;
+
+use crate::error::{Error, Result};
+use crate::gpu::device::{DrawKernel, Gpu, Kernel, Resources};
+use crate::gpu::layout;
+use crate::gpu::mesh::{MeshBuffers, TetRange, ranges};
+use crate::gpu::record::{Recorder, Work};
+use crate::gpu::sort::Sorter;
+use crate::gpu::transfer::TransferBuffers;
+use crate::image::Image;
+use crate::renderer::{BufferSize, Frame, Rendered, Renderer, Settings, SortPlace, Stats};
+use crate::scene::{Camera, Projection, TransferFunction};
+use crate::tet::TetMesh;
+
+/// Cells a draw call covers: 5 vertices each must stay below 65,536.
+pub const BATCH_CELLS: u32 = 8192;
+
+const STORAGE: wgpu::BufferUsages = wgpu::BufferUsages::STORAGE;
+
+/// Renders one mesh by projection (Shirley & Tuchman 1990) in compute and raster passes.
+pub struct GpuRenderer {
+    gpu: Gpu,
+    mesh: Arc<TetMesh>,
+    settings: Settings,
+    buffers: MeshBuffers,
+    ranges: Vec<TetRange>,
+    range_uniforms: Vec<wgpu::Buffer>,
+    cells: CellBuffers,
+    indices: wgpu::Buffer,
+    frame: wgpu::Buffer,
+    sorter: Sorter,
+    scene: Option<SceneState>,
+    target: Option<Target>,
+}
+
+/// Buffers with an entry a cell (or a bit, or a block of 256 cells).
+struct CellBuffers {
+    candidates: wgpu::Buffer,
+    clipped: wgpu::Buffer,
+    survivors: wgpu::Buffer,
+    block_counts: wgpu::Buffer,
+    counts: wgpu::Buffer,
+    draws: wgpu::Buffer,
+    projected: wgpu::Buffer,
+    projected_gradients: wgpu::Buffer,
+    silhouettes: wgpu::Buffer,
+    thick: wgpu::Buffer,
+    thick_scalars: wgpu::Buffer,
+    thick_gradients: wgpu::Buffer,
+    keys: wgpu::Buffer,
+    order: wgpu::Buffer,
+}
+
+/// What depends on the transfer function and the projection kind: specialised kernels.
+struct SceneState {
+    transfer: TransferBuffers,
+    perspective: bool,
+    vertices: Kernel,
+    cull: Kernel,
+    compact: Kernel,
+    project: Kernel,
+    raster: DrawKernel,
+    resolve: DrawKernel,
+}
+
+/// What depends on the picture's size.
+struct Target {
+    size: [u32; 2],
+    blended: wgpu::TextureView,
+    picture: wgpu::Texture,
+    picture_view: wgpu::TextureView,
+}
+
+impl GpuRenderer {
+    /// Uploads the mesh.
+    ///
+    /// # Errors
+    /// A mesh beyond the device's limits (with the numbers), a device that refuses.
+    pub fn new(gpu: Gpu, mesh: Arc<TetMesh>, settings: Settings) -> Result<Self> {
+        let buffers = MeshBuffers::new(&gpu, &mesh, 0, 0)?;
+        let ranges = ranges(buffers.tet_count, gpu.max_binding);
+        let range_uniforms = ranges
+            .iter()
+            .map(|r| {
+                let range = layout::Range { first_tet: r.first, tet_count: r.count, ..Default::default() };
+                uniform(&gpu, "range", bytemuck::bytes_of(&range))
+            })
+            .collect();
+        let cells = CellBuffers::new(&gpu, &buffers);
+        let indices = gpu.buffer(
+            "indices",
+            u64::from(BATCH_CELLS) * 24,
+            wgpu::BufferUsages::INDEX | wgpu::BufferUsages::COPY_DST,
+        );
+        gpu.write(&indices, 0, bytemuck::cast_slice(&fan_indices()));
+        let frame = uniform(&gpu, "frame", bytemuck::bytes_of(&layout::Frame::default()));
+        let on_host = match settings.sort {
+            SortPlace::Auto => gpu.is_software(),
+            SortPlace::Host => true,
+            SortPlace::Gpu => false,
+        };
+        let sorter = Sorter::new(&gpu, buffers.tet_count, on_host)?;
+        Ok(Self {
+            gpu,
+            mesh,
+            settings,
+            buffers,
+            ranges,
+            range_uniforms,
+            cells,
+            indices,
+            frame,
+            sorter,
+            scene: None,
+            target: None,
+        })
+    }
+
+    /// Makes kernels and marks candidates where the transfer function or the kind of projection changed.
+    fn prepare_scene(&mut self, transfer: &TransferFunction, perspective: bool) -> Result<()> {
+        if self.scene.as_ref().is_some_and(|s| s.transfer.source == *transfer && s.perspective == perspective) {
+            return Ok(());
+        }
+        let b = &self.buffers;
+        let transfer = TransferBuffers::new(&self.gpu, transfer, b.scalar, b.gradient, self.mesh.data_per_mesh)?;
+        if transfer.bivariate {
+            self.buffers.need_gradients(&self.gpu, &self.mesh, 0);
+            self.cells.need_gradients(&self.gpu, &self.buffers);
+        }
+        let mut constants = transfer.constants.clone();
+        let flag = |b: bool| f64::from(u8::from(b));
+        constants.push(("PERSPECTIVE", flag(perspective)));
+        constants.push(("CULL", flag(self.settings.cull)));
+        let candidates = self.gpu.kernel("candidates", &constants)?;
+        self.write_frame(&layout::Frame {
+            tet_count: self.buffers.tet_count,
+            vertex_count: self.buffers.vertex_count,
+            ..Default::default()
+        });
+        let mut recorder = Recorder::new(&self.gpu, false);
+        for (range, uniform) in self.ranges.iter().zip(&self.range_uniforms) {
+            let resources = self.range_resources(self.resources(Some(&transfer)), *range, uniform);
+            recorder.compute(&candidates, &candidates.bind(&self.gpu, &resources)?, Work::Items(range.count))?;
+        }
+        recorder.submit();
+        let blended = wgpu::ColorTargetState {
+            format: wgpu::TextureFormat::Rgba32Float,
+            blend: Some(BACK_TO_FRONT),
+            write_mask: wgpu::ColorWrites::ALL,
+        };
+        let written = wgpu::ColorTargetState { blend: None, ..blended.clone() };
+        self.scene = Some(SceneState {
+            perspective,
+            vertices: self.gpu.kernel("vertices", &constants)?,
+            cull: self.gpu.kernel("cull", &constants)?,
+            compact: self.gpu.kernel("compact", &constants)?,
+            project: self.gpu.kernel("project", &constants)?,
+            raster: self.gpu.draw_kernel("raster", &constants, blended, Some(wgpu::Face::Back))?,
+            resolve: self.gpu.draw_kernel("resolve", &constants, written, None)?,
+            transfer,
+        });
+        Ok(())
+    }
+
+    fn prepare_target(&mut self, size: [u32; 2]) -> Result<()> {
+        if self.target.as_ref().is_some_and(|t| t.size == size) {
+            return Ok(());
+        }
+        let most = self.gpu.device.limits().max_texture_dimension_2d;
+        if size[0] == 0 || size[1] == 0 || size[0] > most || size[1] > most {
+            return Err(Error::Asked(format!(
+                "a picture of {}x{} pixels is not possible on '{}': each side must be 1 to {most}",
+                size[0], size[1], self.gpu.info.name
+            )));
+        }
+        let texture = |label, usage| {
+            self.gpu.device.create_texture(&wgpu::TextureDescriptor {
+                label: Some(label),
+                size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
+                mip_level_count: 1,
+                sample_count: 1,
+                dimension: wgpu::TextureDimension::D2,
+                format: wgpu::TextureFormat::Rgba32Float,
+                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | usage,
+                view_formats: &[],
+            })
+        };
+        let blended = texture("blended", wgpu::TextureUsages::TEXTURE_BINDING);
+        let picture = texture("picture", wgpu::TextureUsages::COPY_SRC);
+        self.target = Some(Target {
+            size,
+            blended: blended.create_view(&wgpu::TextureViewDescriptor::default()),
+            picture_view: picture.create_view(&wgpu::TextureViewDescriptor::default()),
+            picture,
+        });
+        Ok(())
+    }
+
+    fn resources<'a>(&'a self, transfer: Option<&'a TransferBuffers>) -> Resources<'a> {
+        let (b, c) = (&self.buffers, &self.cells);
+        let mut r = Resources::default()
+            .with("frame", &self.frame)
+            .with("vertices", &b.vertices)
+            .with("gradients", &b.gradients)
+            .with("projected", &c.projected)
+            .with("projected_gradients", &c.projected_gradients)
+            .with("clipped", &c.clipped)
+            .with("block_counts", &c.block_counts)
+            .with("counts", &c.counts)
+            .with("draws", &c.draws)
+            .with("silhouettes", &c.silhouettes)
+            .with("thick", &c.thick)
+            .with("thick_scalars", &c.thick_scalars)
+            .with("thick_gradients", &c.thick_gradients)
+            .with("keys", &c.keys)
+            .with("order", &c.order);
+        if let Some(t) = transfer {
+            r = r.with("widgets", &t.widgets).with("pieces", &t.pieces).with("piece_starts", &t.piece_starts);
+        }
+        r
+    }
+
+    /// The parts of the per-cell buffers that belong to one range.
+    fn range_resources<'a>(&'a self, r: Resources<'a>, range: TetRange, uniform: &'a wgpu::Buffer) -> Resources<'a> {
+        let (first, count) = (u64::from(range.first), u64::from(range.count));
+        let blocks = count.div_ceil(256);
+        let (b, c) = (&self.buffers, &self.cells);
+        r.with("range", uniform)
+            .with_part("tets", &b.tets, first * 16, count * 16)
+            .with_part("volumes", &b.volumes, first * 4, count * 4)
+            .with_part("candidates", &c.candidates, first / 8, blocks * 32)
+            .with_part("survivors", &c.survivors, first / 8, blocks * 32)
+            .with_part("block_counts", &c.block_counts, first / 64, blocks * 4)
+            .with_part("block_offsets", &c.block_counts, first / 64, blocks * 4)
+    }
+
+    fn write_frame(&self, frame: &layout::Frame) {
+        self.gpu.queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(frame));
+    }
+
+    /// Records and submits a frame; the picture is left in the target.
+    fn draw_frame(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Stats> {
+        let perspective = matches!(frame.camera.projection, Projection::Perspective { .. });
+        self.prepare_scene(frame.transfer, perspective)?;
+        self.prepare_target(frame.size)?;
+        self.write_frame(&frame_uniform(frame, &self.mesh, &self.buffers));
+        let scene = self.scene.as_ref().ok_or_else(unprepared)?;
+        let target = self.target.as_ref().ok_or_else(unprepared)?;
+        let mut recorder = Recorder::new(&self.gpu, timed);
+        let all = self.resources(Some(&scene.transfer));
+        let gpu = &self.gpu;
+
+        recorder.compute(&scene.vertices, &scene.vertices.bind(gpu, &all)?, Work::Items(self.buffers.vertex_count))?;
+        for (range, uniform) in self.ranges.iter().zip(&self.range_uniforms) {
+            let part = self.range_resources(all.clone(), *range, uniform);
+            recorder.compute(&scene.cull, &scene.cull.bind(gpu, &part)?, Work::Items(range.count))?;
+        }
+        recorder.compute(&scene.compact, &scene.compact.bind(gpu, &all)?, Work::Groups(1))?;
+        for (range, uniform) in self.ranges.iter().zip(&self.range_uniforms) {
+            let part = self.range_resources(all.clone(), *range, uniform);
+            recorder.compute(&scene.project, &scene.project.bind(gpu, &part)?, Work::Items(range.count))?;
+        }
+        self.sorter.sort(gpu, &mut recorder, &self.cells.counts, &self.cells.keys, &self.cells.order)?;
+        let clear = wgpu::LoadOp::Clear(wgpu::Color { r: 0.0, g: 0.0, b: 0.0, a: 1.0 });
+        let batches = self.buffers.tet_count.div_ceil(BATCH_CELLS);
+        recorder.draw(&scene.raster, &scene.raster.bind(gpu, &all)?, &target.blended, clear, |pass| {
+            pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
+            for batch in 0..u64::from(batches) {
+                pass.draw_indexed_indirect(&self.cells.draws, batch * 20);
+            }
+        })?;
+        let textures = all.clone().with_texture("blended", &target.blended).with_texture("behind", &target.blended);
+        let overwrite = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
+        recorder.draw(
+            &scene.resolve,
+            &scene.resolve.bind(gpu, &textures)?,
+            &target.picture_view,
+            overwrite,
+            |pass| {
+                pass.draw(0..3, 0..1);
+            },
+        )?;
+        let passes = recorder.finish()?;
+        Ok(Stats { passes, adapter: self.gpu.describe(), buffers: self.buffer_sizes(), ..Default::default() })
+    }
+
+    fn buffer_sizes(&self) -> Vec<BufferSize> {
+        let (b, c) = (&self.buffers, &self.cells);
+        [
+            ("vertices", &b.vertices),
+            ("gradients", &b.gradients),
+            ("tets", &b.tets),
+            ("volumes", &b.volumes),
+            ("candidates", &c.candidates),
+            ("clipped", &c.clipped),
+            ("survivors", &c.survivors),
+            ("block_counts", &c.block_counts),
+            ("draws", &c.draws),
+            ("projected", &c.projected),
+            ("projected_gradients", &c.projected_gradients),
+            ("silhouettes", &c.silhouettes),
+            ("thick", &c.thick),
+            ("thick_scalars", &c.thick_scalars),
+            ("thick_gradients", &c.thick_gradients),
+            ("keys", &c.keys),
+            ("order", &c.order),
+            ("indices", &self.indices),
+        ]
+        .into_iter()
+        .chain(self.sorter.buffers())
+        .map(|(name, buffer)| BufferSize { name: name.to_owned(), bytes: buffer.size() })
+        .collect()
+    }
+
+    fn read_picture(&self) -> Result<Image> {
+        let target = self.target.as_ref().ok_or_else(unprepared)?;
+        let [width, height] = target.size;
+        let row = (u64::from(width) * 16).next_multiple_of(u64::from(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT));
+        let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
+        let staging = self.gpu.buffer("picture, mapped", row * u64::from(height), usage);
+        let mut recorder = Recorder::new(&self.gpu, false);
+        recorder.encoder().copy_texture_to_buffer(
+            target.picture.as_image_copy(),
+            wgpu::TexelCopyBufferInfo {
+                buffer: &staging,
+                layout: wgpu::TexelCopyBufferLayout {
+                    offset: 0,
+                    bytes_per_row: Some(row as u32),
+                    rows_per_image: None,
+                },
+            },
+            target.picture.size(),
+        );
+        recorder.submit();
+        let texels: Vec<[f32; 4]> = self.gpu.map(&staging, row * u64::from(height))?;
+        let mut image = Image::new(width, height);
+        let rows = texels.chunks_exact((row / 16) as usize).zip(image.pixels.chunks_exact_mut(width as usize));
+        for (from, to) in rows {
+            to.copy_from_slice(&from[..width as usize]);
+        }
+        Ok(image)
+    }
+}
+
+impl Renderer for GpuRenderer {
+    fn render(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Rendered> {
+        let mut stats = self.draw_frame(frame, timed)?;
+        let survivors = self.sorter.survivors(&self.gpu, &self.cells.counts)?;
+        stats.cells =
+            vec![("mesh".to_owned(), u64::from(self.buffers.tet_count)), ("visible".to_owned(), u64::from(survivors))];
+        Ok(Rendered { image: self.read_picture()?, stats })
+    }
+
+    fn render_only(&mut self, frame: &Frame<'_>) -> Result<Duration> {
+        let start = Instant::now();
+        self.draw_frame(frame, false)?;
+        Ok(start.elapsed())
+    }
+
+    fn mesh(&self) -> &TetMesh {
+        &self.mesh
+    }
+}
+
+/// Colour behind is scaled by the transmittance (in the source's alpha), and so is the transmittance behind.
+const BACK_TO_FRONT: wgpu::BlendState = wgpu::BlendState {
+    color: wgpu::BlendComponent {
+        src_factor: wgpu::BlendFactor::One,
+        dst_factor: wgpu::BlendFactor::SrcAlpha,
+        operation: wgpu::BlendOperation::Add,
+    },
+    alpha: wgpu::BlendComponent {
+        src_factor: wgpu::BlendFactor::Zero,
+        dst_factor: wgpu::BlendFactor::SrcAlpha,
+        operation: wgpu::BlendOperation::Add,
+    },
+};
+
+impl CellBuffers {
+    fn new(gpu: &Gpu, mesh: &MeshBuffers) -> Self {
+        let tets = u64::from(mesh.tet_count);
+        let vertices = u64::from(mesh.vertex_count);
+        let blocks = tets.div_ceil(256);
+        let batches = tets.div_ceil(u64::from(BATCH_CELLS));
+        let copied = STORAGE | wgpu::BufferUsages::COPY_SRC;
+        let indirect = STORAGE | wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_SRC;
+        Self {
+            candidates: gpu.buffer("candidates", blocks * 32, STORAGE | wgpu::BufferUsages::COPY_DST),
+            clipped: gpu.buffer("clipped", 16, STORAGE | wgpu::BufferUsages::COPY_DST),
+            survivors: gpu.buffer("survivors", blocks * 32, copied),
+            block_counts: gpu.buffer("block_counts", blocks * 4, STORAGE),
+            counts: gpu.buffer("counts", size_of::<layout::Counts>() as u64, indirect),
+            draws: gpu.buffer("draws", batches * 20, STORAGE | wgpu::BufferUsages::INDIRECT),
+            projected: gpu.buffer("projected", vertices * 16, STORAGE),
+            projected_gradients: gpu.buffer("projected_gradients", 16, STORAGE),
+            silhouettes: gpu.buffer("silhouettes", tets * 16, STORAGE),
+            thick: gpu.buffer("thick", tets * 16, STORAGE),
+            thick_scalars: gpu.buffer("thick_scalars", tets * 8, STORAGE),
+            thick_gradients: gpu.buffer("thick_gradients", 16, STORAGE),
+            keys: gpu.buffer("keys", tets * 4, copied),
+            order: gpu.buffer("order", tets * 4, copied | wgpu::BufferUsages::COPY_DST),
+        }
+    }
+
+    fn need_gradients(&mut self, gpu: &Gpu, mesh: &MeshBuffers) {
+        if self.thick_gradients.size() == 16 {
+            self.projected_gradients = gpu.buffer("projected_gradients", u64::from(mesh.vertex_count) * 4, STORAGE);
+            self.thick_gradients = gpu.buffer("thick_gradients", u64::from(mesh.tet_count) * 8, STORAGE);
+        }
+    }
+}
+
+/// A fan around the thick vertex (the fifth), counter-clockwise.
+fn fan_indices() -> Vec<u16> {
+    (0..BATCH_CELLS as u16)
+        .flat_map(|cell| [4, 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0].map(|corner: u16| cell * 5 + corner))
+        .collect()
+}
+
+fn uniform(gpu: &Gpu, label: &str, bytes: &[u8]) -> wgpu::Buffer {
+    let buffer = gpu.buffer(label, bytes.len() as u64, wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST);
+    gpu.write(&buffer, 0, bytes);
+    buffer
+}
+
+/// The frame as shaders see it: mesh space, the eye in two f32 parts.
+fn frame_uniform(frame: &Frame<'_>, mesh: &TetMesh, buffers: &MeshBuffers) -> layout::Frame {
+    let camera: &Camera = frame.camera;
+    let basis = camera.basis();
+    let eye = mesh.mesh_from_data(camera.eye);
+    let high = eye.as_vec3();
+    let low = (eye - high.as_dvec3()).as_vec3();
+    let [width, height] = frame.size.map(f64::from);
+    let aspect = width / height;
+    // Half the image's height at depth 1 (perspective) or everywhere (orthographic, mesh units).
+    let half = match camera.projection {
+        Projection::Perspective { fov_y } => (0.5 * fov_y).tan(),
+        Projection::Orthographic { height } => 0.5 * height / mesh.data_per_mesh,
+    };
+    let row = |axis: DVec3, extent: f64| (axis / extent).as_vec3().to_array();
+    layout::Frame {
+        eye_high: high.to_array(),
+        tet_count: buffers.tet_count,
+        eye_low: low.to_array(),
+        vertex_count: buffers.vertex_count,
+        x_row: row(basis.right, half * aspect),
+        pixel_width: width as f32,
+        y_row: row(basis.up, half),
+        pixel_height: height as f32,
+        forward: basis.forward.as_vec3().to_array(),
+        ray_scale_x: (2.0 * half / height) as f32,
+        ray_scale_y: (-2.0 * half / height) as f32,
+        ray_offset_x: (-half * aspect) as f32,
+        ray_offset_y: half as f32,
+        batch_cells: BATCH_CELLS,
+        background: frame.background,
+    }
+}
+
+fn unprepared() -> Error {
+    Error::Device("internal: a frame was drawn before it was prepared".to_owned())
+}

@@ -1,0 +1,166 @@
+//! Shader sources: embedded, joined by `#import`, parsed once for their bindings.
+
+use std::collections::BTreeMap;
+
+use crate::error::{Error, Result};
+
+macro_rules! sources {
+    ($($name:literal),* $(,)?) => {
+        &[$(($name, include_str!(concat!("../../shaders/", $name, ".wgsl")))),*]
+    };
+}
+
+/// Every shader file, by its path below `shaders/` without the ending.
+const SOURCES: &[(&str, &str)] = sources![
+    "candidates",
+    "compact",
+    "cull",
+    "math/optics",
+    "math/real",
+    "math/widget",
+    "project",
+    "raster",
+    "resolve",
+    "shared/counts",
+    "shared/frame",
+    "shared/range",
+    "shared/transfer",
+    "sort_count",
+    "sort_scan",
+    "sort_scatter",
+    "vertices",
+];
+
+/// The files that are passes: those that are not imported by others.
+pub fn pass_names() -> impl Iterator<Item = &'static str> {
+    SOURCES.iter().map(|(name, _)| *name).filter(|name| !name.contains('/'))
+}
+
+/// The pass's source with every `#import NAME` line replaced by that file, each file once.
+///
+/// # Errors
+/// An unknown name.
+pub fn compose(name: &str) -> Result<String> {
+    let mut text = String::new();
+    append(name, &mut Vec::new(), &mut text)?;
+    Ok(text)
+}
+
+fn append(name: &str, done: &mut Vec<String>, text: &mut String) -> Result<()> {
+    if done.iter().any(|d| d == name) {
+        return Ok(());
+    }
+    done.push(name.to_owned());
+    let (_, source) = SOURCES
+        .iter()
+        .find(|(known, _)| *known == name)
+        .ok_or_else(|| Error::Device(format!("there is no shader file named '{name}'")))?;
+    for line in source.lines() {
+        match line.strip_prefix("#import ") {
+            Some(import) => append(import.trim(), done, text)?,
+            None => {
+                text.push_str(line);
+                text.push('\n');
+            }
+        }
+    }
+    Ok(())
+}
+
+/// What a module binds where, as naga sees it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Binding {
+    /// The variable's name.
+    pub name: String,
+    /// Bind group.
+    pub group: u32,
+    /// Index in the group.
+    pub index: u32,
+    /// Buffer or texture, and how it is accessed.
+    pub kind: BindingKind,
+    /// Entry points that use it.
+    pub stages: wgpu::ShaderStages,
+}
+
+/// The kinds of bindings that the shaders use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BindingKind {
+    /// `var<uniform>`.
+    Uniform,
+    /// `var<storage, read>`.
+    Read,
+    /// `var<storage, read_write>`.
+    ReadWrite,
+    /// `texture_2d<f32>`, loaded without filtering.
+    Texture,
+}
+
+/// A composed, validated shader.
+pub struct Module {
+    /// The pass's name.
+    pub name: &'static str,
+    /// What is handed to wgpu.
+    pub source: String,
+    /// Used bindings, by group and index.
+    pub bindings: Vec<Binding>,
+    /// Parsed form; the layout tests read struct layouts from it.
+    pub naga: naga::Module,
+}
+
+impl Module {
+    /// Composes, parses and validates the pass `name`.
+    ///
+    /// # Errors
+    /// The parser's or validator's message, with the shader's name.
+    pub fn new(name: &'static str) -> Result<Self> {
+        let source = compose(name)?;
+        let module = naga::front::wgsl::parse_str(&source)
+            .map_err(|e| Error::Device(format!("shader '{name}' does not parse: {}", e.emit_to_string(&source))))?;
+        let info = naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::all())
+            .validate(&module)
+            .map_err(|e| Error::Device(format!("shader '{name}' is not valid: {}", e.emit_to_string(&source))))?;
+        let mut bindings = BTreeMap::new();
+        for (handle, variable) in module.global_variables.iter() {
+            let Some(place) = &variable.binding else { continue };
+            let mut stages = wgpu::ShaderStages::NONE;
+            for (index, entry) in module.entry_points.iter().enumerate() {
+                if !info.get_entry_point(index)[handle].is_empty() {
+                    stages |= match entry.stage {
+                        naga::ShaderStage::Vertex => wgpu::ShaderStages::VERTEX,
+                        naga::ShaderStage::Fragment => wgpu::ShaderStages::FRAGMENT,
+                        _ => wgpu::ShaderStages::COMPUTE,
+                    };
+                }
+            }
+            if stages.is_empty() {
+                continue;
+            }
+            let kind = match variable.space {
+                naga::AddressSpace::Uniform => BindingKind::Uniform,
+                naga::AddressSpace::Storage { access } if access.contains(naga::StorageAccess::STORE) => {
+                    BindingKind::ReadWrite
+                }
+                naga::AddressSpace::Storage { .. } => BindingKind::Read,
+                _ => BindingKind::Texture,
+            };
+            let name = variable.name.clone().unwrap_or_default();
+            let (group, index) = (place.group, place.binding);
+            if let Some(Binding { name: other, .. }) =
+                bindings.insert((group, index), Binding { name: name.clone(), group, index, kind, stages })
+            {
+                return Err(Error::Device(format!("'{other}' and '{name}' share a binding")));
+            }
+        }
+        Ok(Self { name, source, bindings: bindings.into_values().collect(), naga: module })
+    }
+
+    /// The size in bytes of the WGSL struct `name`, and its members' names and offsets.
+    pub fn struct_layout(&self, name: &str) -> Option<(u32, Vec<(String, u32)>)> {
+        self.naga.types.iter().find_map(|(_, ty)| match &ty.inner {
+            naga::TypeInner::Struct { members, span } if ty.name.as_deref() == Some(name) => {
+                Some((*span, members.iter().map(|m| (m.name.clone().unwrap_or_default(), m.offset)).collect()))
+            }
+            _ => None,
+        })
+    }
+}
