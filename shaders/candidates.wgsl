@@ -23,14 +23,15 @@ var<workgroup> block_flags: array<atomic<u32>, 8>;
 // Largest extinction over scalars in [low, high].
 fn curve_bound(low: f32, high: f32) -> f32 {
     var most = 0.0;
-    for (var i = piece_at(low); i < PIECES; i++) {
+    for (var i = piece_starts[u32(low * 256.0)].x; i < PIECES; i++) {
         let piece = pieces[i];
         if piece.scalar_low > high {
             break;
         }
-        let u_low = clamp((low - piece.scalar_low) * piece.inverse_width, 0.0, 1.0);
-        let u_high = clamp((high - piece.scalar_low) * piece.inverse_width, 0.0, 1.0);
-        most = max(most, max(mix(piece.low.w, piece.high.w, u_low), mix(piece.low.w, piece.high.w, u_high)));
+        let inside = clamp(vec2f(low, high), vec2f(piece.scalar_low), vec2f(piece.scalar_high)) - piece.scalar_low;
+        if low <= piece.scalar_high {
+            most = max(most, max(piece.low.w + inside.x * piece.slope.w, piece.low.w + inside.y * piece.slope.w));
+        }
     }
     return most;
 }

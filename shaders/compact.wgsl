@@ -6,7 +6,7 @@
 
 @group(3) @binding(0) var<storage, read_write> block_counts: array<u32>; // counts in, offsets out
 @group(3) @binding(1) var<storage, read_write> counts: Counts;
-@group(3) @binding(2) var<storage, read_write> draws: array<u32>; // 5 words a batch: arguments of draw_indexed
+@group(3) @binding(2) var<storage, read_write> draws: array<u32>; // 5 words a chunk: arguments of draw_indexed
 
 const SORT_TILE: u32 = 1024u;
 const SORT_ROW: u32 = 32768u; // below the limit of 65,535 groups a dimension
@@ -48,14 +48,13 @@ fn main(@builtin(local_invocation_index) lane: u32) {
         counts.sort_groups_y = (tiles + SORT_ROW - 1u) / SORT_ROW;
         counts.sort_groups_z = 1u;
     }
-    let batches = (frame.tet_count + frame.batch_cells - 1u) / frame.batch_cells;
-    for (var batch = lane; batch < batches; batch += 256u) {
-        let first_cell = batch * frame.batch_cells;
-        let cells = min(max(before, first_cell) - first_cell, frame.batch_cells);
-        draws[batch * 5u] = cells * 12u;
-        draws[batch * 5u + 1u] = select(0u, 1u, cells > 0u);
-        draws[batch * 5u + 2u] = 0u;
-        draws[batch * 5u + 3u] = first_cell * 5u;
-        draws[batch * 5u + 4u] = 0u;
+    let chunks = (frame.tet_count + frame.chunk_cells - 1u) / frame.chunk_cells;
+    for (var chunk = lane; chunk < chunks; chunk += 256u) {
+        let first_cell = chunk * frame.chunk_cells;
+        draws[chunk * 5u] = min(max(before, first_cell) - first_cell, frame.chunk_cells) * 12u;
+        draws[chunk * 5u + 1u] = 1u;
+        draws[chunk * 5u + 2u] = 0u;
+        draws[chunk * 5u + 3u] = 0u;
+        draws[chunk * 5u + 4u] = 0u;
     }
 }

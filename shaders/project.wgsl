@@ -1,24 +1,30 @@
 #import shared/frame
-#import shared/range
+#import shared/counts
+#import shared/tets
 
-// Projects each surviving cell: class, silhouette and thick vertex (Shirley & Tuchman 1990), in the form of Radon
-// weights (optics.md 6.2): one formula for all classes and degeneracies, no 2D intersection, no difference of depths.
+// Projects the surviving cells of one chunk, in the order of drawing: class, silhouette and thick vertex (Shirley &
+// Tuchman 1990), in the form of Radon weights (optics.md 6.2): one formula for all classes and degeneracies, no 2D
+// intersection, no difference of depths.
 //
-// A cell becomes a fan of 4 triangles around the thick vertex; of class 1 (a triangle on screen) the fourth is empty.
+// A cell becomes 5 corners, drawn as a fan of 4 triangles around the last; of class 1 (a triangle on screen) the fourth
+// is empty.
 
-@group(1) @binding(0) var<storage, read> tets: array<vec4u>; // of the range; vertex ids ascend
-@group(1) @binding(1) var<storage, read> volumes: array<f32>; // of the range: 6 x volume, negative where odd
-@group(1) @binding(2) var<storage, read> vertices: array<vec4f>;
-@group(1) @binding(3) var<storage, read> gradients: array<f32>;
-@group(3) @binding(1) var<storage, read> projected: array<vec4f>;
-@group(3) @binding(2) var<storage, read> survivors: array<u32>; // one bit a cell of the range
-@group(3) @binding(3) var<storage, read> block_offsets: array<u32>; // of the range
-@group(3) @binding(4) var<storage, read_write> silhouettes: array<vec4u>; // vertex ids around the outline
-@group(3) @binding(5) var<storage, read_write> thick: array<vec4f>; // clip x, clip y, 1/z front, 1/z front - 1/z back
-@group(3) @binding(6) var<storage, read_write> thick_scalars: array<vec2f>; // scalar/z at front and back
-@group(3) @binding(7) var<storage, read_write> thick_gradients: array<vec2f>;
-@group(3) @binding(8) var<storage, read_write> keys: array<u32>; // ascending = back to front
-@group(3) @binding(9) var<storage, read_write> order: array<u32>;
+@group(1) @binding(0) var<storage, read> vertices: array<vec4f>;
+@group(1) @binding(1) var<storage, read> gradients: array<f32>;
+@group(3) @binding(0) var<uniform> chunk: Chunk;
+@group(3) @binding(1) var<storage, read> counts: Counts;
+@group(3) @binding(2) var<storage, read> order: array<u32>; // cells, back to front
+@group(3) @binding(3) var<storage, read> projected: array<vec4f>;
+@group(3) @binding(4) var<storage, read> projected_gradients: array<f32>;
+// Per corner: clip xy; 1/z front, 1/z front - 1/z back; scalar/z front, back; with BIVARIATE gradient/z front, back.
+@group(3) @binding(5) var<storage, read_write> corners: array<vec2f>;
+
+struct Chunk {
+    first_cell: u32,
+    cells: u32,
+    pad_a: u32,
+    pad_b: u32,
+}
 
 override BIVARIATE: bool = false;
 
@@ -30,23 +36,6 @@ fn face_weight(a: vec3f, ab: vec3f, ac: vec3f) -> f32 {
         return dot(normal, a);
     }
     return dot(normal, frame.forward);
-}
-
-// The rank of cell i among the survivors.
-fn slot_of(i: u32) -> u32 {
-    let block = i >> 8u;
-    let word = i >> 5u;
-    var before = countOneBits(survivors[word] & ((1u << (i & 31u)) - 1u));
-    for (var w = block * 8u; w < word; w++) {
-        before += countOneBits(survivors[w]);
-    }
-    return block_offsets[block] + before;
-}
-
-// Bits that sort floats descending.
-fn far_first(depth: f32) -> u32 {
-    let bits = bitcast<u32>(depth);
-    return ~select(bits | 0x80000000u, ~bits, (bits & 0x80000000u) != 0u);
 }
 
 fn signed_area(a: vec2f, b: vec2f, c: vec2f) -> f32 {
@@ -95,13 +84,39 @@ fn outline(front: vec4<bool>, count: u32, tet: vec4u) -> vec4u {
     return ring;
 }
 
+fn put_corner(place: u32, corner: u32, xy: vec2f, depths: vec2f, scalars: vec2f, g: vec2f) {
+    if BIVARIATE {
+        let at = place * 20u + corner * 4u;
+        corners[at] = xy;
+        corners[at + 1u] = depths;
+        corners[at + 2u] = scalars;
+        corners[at + 3u] = g;
+    } else {
+        let at = place * 15u + corner * 3u;
+        corners[at] = xy;
+        corners[at + 1u] = depths;
+        corners[at + 2u] = scalars;
+    }
+}
+
+fn put_outline(place: u32, corner: u32, vertex: u32) {
+    let p = projected[vertex];
+    var g = 0.0;
+    if BIVARIATE {
+        g = projected_gradients[vertex];
+    }
+    put_corner(place, corner, p.xy, vec2f(p.z, 0.0), p.ww, vec2f(g));
+}
+
 @compute @workgroup_size(256)
-fn main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) groups: vec3u) {
-    let i = id.x + id.y * groups.x * 256u;
-    if i >= range.tet_count || (survivors[i >> 5u] & (1u << (i & 31u))) == 0u {
+fn main(@builtin(global_invocation_id) id: vec3u) {
+    let place = id.x;
+    let rank = chunk.first_cell + place;
+    if place >= chunk.cells || rank >= counts.survivors {
         return;
     }
-    let tet = tets[i];
+    let cell = order[rank];
+    let tet = tet_at(cell);
     let p0 = vertices[tet.x];
     let p1 = vertices[tet.y];
     let p2 = vertices[tet.z];
@@ -113,7 +128,7 @@ fn main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) group
     let e01 = p1.xyz - p0.xyz;
     let e02 = p2.xyz - p0.xyz;
     let e03 = p3.xyz - p0.xyz;
-    let volume = volumes[i];
+    let volume = volumes[cell];
     let parity = select(1.0, -1.0, volume < 0.0);
     let mu = parity * vec4f(face_weight(v1, p2.xyz - p1.xyz, p3.xyz - p1.xyz), -face_weight(v0, e02, e03),
                             face_weight(v0, e01, e03), -face_weight(v0, e01, e02));
@@ -122,36 +137,32 @@ fn main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) group
     let back_weights = max(-mu, vec4f(0.0));
     let front_sum = dot(front_weights, vec4f(1.0));
     let back_sum = dot(back_weights, vec4f(1.0));
-    let scalars = vec4f(p0.w, p1.w, p2.w, p3.w);
-
     let point = front_weights.x * v0 + front_weights.y * v1 + front_weights.z * v2 + front_weights.w * v3;
-    let slot = slot_of(i);
     // A cell seen exactly edge-on has no weight at all: it gets a thickness of zero.
-    let floor_weight = 1e-37;
-    var scale = 1.0 / max(dot(frame.forward, point), floor_weight);
-    var front_scale = scale;
-    var back_scale = scale;
-    var thickness = abs(volume) * scale;
-    var inverse_front = front_sum * scale;
+    let least = 1e-37;
+    var scales = vec2f(1.0 / max(dot(frame.forward, point), least));
+    var inverse_front = front_sum * scales.x;
     if !PERSPECTIVE {
-        front_scale = 1.0 / max(front_sum, floor_weight);
-        back_scale = 1.0 / max(back_sum, floor_weight);
-        scale = front_scale;
-        thickness = abs(volume) * front_scale;
+        scales = 1.0 / max(vec2f(front_sum, back_sum), vec2f(least));
         inverse_front = 1.0;
     }
-    if !(front_sum > floor_weight && back_sum > floor_weight) {
-        thickness = 0.0;
+    var thickness = 0.0;
+    if front_sum > least && back_sum > least {
+        thickness = abs(volume) * scales.x;
     }
-    let xy = vec2f(dot(frame.x_row, point), dot(frame.y_row, point)) * scale;
-    let count = u32(front.x) + u32(front.y) + u32(front.z) + u32(front.w);
-    silhouettes[slot] = outline(front, count, tet);
-    thick[slot] = vec4f(xy, inverse_front, thickness);
-    thick_scalars[slot] = vec2f(dot(front_weights, scalars) * front_scale, dot(back_weights, scalars) * back_scale);
+    let xy = vec2f(dot(frame.x_row, point), dot(frame.y_row, point)) * scales.x;
+    let scalars = vec4f(p0.w, p1.w, p2.w, p3.w);
+    var thick_gradients = vec2f(0.0);
     if BIVARIATE {
         let g = vec4f(gradients[tet.x], gradients[tet.y], gradients[tet.z], gradients[tet.w]);
-        thick_gradients[slot] = vec2f(dot(front_weights, g) * front_scale, dot(back_weights, g) * back_scale);
+        thick_gradients = vec2f(dot(front_weights, g), dot(back_weights, g)) * scales;
     }
-    keys[slot] = far_first(dot(frame.forward, v0 + v1 + v2 + v3) * 0.25);
-    order[slot] = slot;
+    let count = u32(front.x) + u32(front.y) + u32(front.z) + u32(front.w);
+    let ring = outline(front, count, tet);
+    put_outline(place, 0u, ring.x);
+    put_outline(place, 1u, ring.y);
+    put_outline(place, 2u, ring.z);
+    put_outline(place, 3u, ring.w);
+    put_corner(place, 4u, xy, vec2f(inverse_front, thickness),
+               vec2f(dot(front_weights, scalars), dot(back_weights, scalars)) * scales, thick_gradients);
 }

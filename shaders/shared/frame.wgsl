@@ -7,7 +7,6 @@ struct Frame {
     vertex_count: u32,
     // Clip-space x and y of a view vector: dot(row, v), over the view depth for a perspective camera.
     x_row: vec3f,
-    // Shift of the clip-space centre of an orthographic camera is 0: kept out.
     pixel_width: f32,
     y_row: vec3f,
     pixel_height: f32,
@@ -17,8 +16,8 @@ struct Frame {
     ray_scale_y: f32,
     ray_offset_x: f32,
     ray_offset_y: f32,
-    // Cells a draw covers.
-    batch_cells: u32,
+    // Cells that one draw covers.
+    chunk_cells: u32,
     background: vec4f,
 }
 

@@ -121,6 +121,15 @@ impl Gpu {
         buffer
     }
 
+    /// A uniform buffer holding `data`.
+    pub fn uniform<T: bytemuck::Pod>(&self, label: &str, data: &[T]) -> wgpu::Buffer {
+        let bytes: &[u8] = bytemuck::cast_slice(data);
+        let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
+        let buffer = self.buffer(label, bytes.len() as u64, usage);
+        self.write(&buffer, 0, bytes);
+        buffer
+    }
+
     /// Writes `bytes` (a multiple of 4) in parts: a write is staged, and staging a whole mesh at once would double it.
     pub fn write(&self, buffer: &wgpu::Buffer, offset: u64, bytes: &[u8]) {
         const PART: usize = 16 << 20;
@@ -169,16 +178,18 @@ impl Gpu {
         Ok(Kernel { name, pipeline, bindings: module.bindings, layouts })
     }
 
-    /// A render kernel (entry points `vertex` and `fragment`) drawing triangles into one target.
+    /// A render kernel drawing triangles into one target; `entries` names the vertex and fragment entry points.
     ///
     /// # Errors
     /// The shader does not compile.
     pub fn draw_kernel(
         &self,
         name: &'static str,
+        entries: [&str; 2],
         constants: &[(&str, f64)],
         target: wgpu::ColorTargetState,
         cull_mode: Option<wgpu::Face>,
+        vertex_buffers: &[Option<wgpu::VertexBufferLayout<'_>>],
     ) -> Result<DrawKernel> {
         let module = Module::new(name)?;
         let layouts = self.layouts(&module);
@@ -191,16 +202,16 @@ impl Gpu {
             layout: Some(&self.pipeline_layout(name, &layouts)),
             vertex: wgpu::VertexState {
                 module: &shader,
-                entry_point: Some("vertex"),
+                entry_point: Some(entries[0]),
                 compilation_options: options.clone(),
-                buffers: &[],
+                buffers: vertex_buffers,
             },
             primitive: wgpu::PrimitiveState { cull_mode, ..Default::default() },
             depth_stencil: None,
             multisample: wgpu::MultisampleState::default(),
             fragment: Some(wgpu::FragmentState {
                 module: &shader,
-                entry_point: Some("fragment"),
+                entry_point: Some(entries[1]),
                 compilation_options: options,
                 targets: &[Some(target)],
             }),

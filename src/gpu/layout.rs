@@ -20,7 +20,7 @@ pub struct Frame {
     pub ray_scale_y: f32,
     pub ray_offset_x: f32,
     pub ray_offset_y: f32,
-    pub batch_cells: u32,
+    pub chunk_cells: u32,
     pub background: [f32; 4],
 }
 
@@ -73,9 +73,20 @@ pub struct Widget {
 #[expect(missing_docs, reason = "the fields are documented in the shader")]
 pub struct Piece {
     pub low: [f32; 4],
-    pub high: [f32; 4],
+    pub slope: [f32; 4],
     pub scalar_low: f32,
     pub scalar_high: f32,
-    pub inverse_width: f32,
-    pub pad: f32,
+    pub pad_a: f32,
+    pub pad_b: f32,
+}
+
+/// `project.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "the fields are documented in the shader")]
+pub struct Chunk {
+    pub first_cell: u32,
+    pub cells: u32,
+    pub pad_a: u32,
+    pub pad_b: u32,
 }

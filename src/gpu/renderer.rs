@@ -17,8 +17,11 @@ use crate::renderer::{BufferSize, Frame, Rendered, Renderer, Settings, SortPlace
 use crate::scene::{Camera, Projection, TransferFunction};
 use crate::tet::TetMesh;
 
-/// Cells a draw call covers: 5 vertices each must stay below 65,536.
-pub const BATCH_CELLS: u32 = 8192;
+/// Cells projected and drawn at a time: their corners (120 or 160 bytes a cell) are made anew for each chunk.
+const CHUNK_CELLS: u32 = 65_536;
+
+/// Parts in which the tetrahedra can be bound (`shared/tets.wgsl`).
+const MOST_PARTS: usize = 4;
 
 const STORAGE: wgpu::BufferUsages = wgpu::BufferUsages::STORAGE;
 
@@ -30,6 +33,7 @@ pub struct GpuRenderer {
     buffers: MeshBuffers,
     ranges: Vec<TetRange>,
     range_uniforms: Vec<wgpu::Buffer>,
+    chunk_uniforms: Vec<wgpu::Buffer>,
     cells: CellBuffers,
     indices: wgpu::Buffer,
     frame: wgpu::Buffer,
@@ -48,10 +52,7 @@ struct CellBuffers {
     draws: wgpu::Buffer,
     projected: wgpu::Buffer,
     projected_gradients: wgpu::Buffer,
-    silhouettes: wgpu::Buffer,
-    thick: wgpu::Buffer,
-    thick_scalars: wgpu::Buffer,
-    thick_gradients: wgpu::Buffer,
+    corners: wgpu::Buffer,
     keys: wgpu::Buffer,
     order: wgpu::Buffer,
 }
@@ -63,6 +64,7 @@ struct SceneState {
     vertices: Kernel,
     cull: Kernel,
     compact: Kernel,
+    keys: Kernel,
     project: Kernel,
     raster: DrawKernel,
     resolve: DrawKernel,
@@ -84,21 +86,26 @@ impl GpuRenderer {
     pub fn new(gpu: Gpu, mesh: Arc<TetMesh>, settings: Settings) -> Result<Self> {
         let buffers = MeshBuffers::new(&gpu, &mesh, 0, 0)?;
         let ranges = ranges(buffers.tet_count, gpu.max_binding);
+        check_size(&gpu, &buffers, &ranges)?;
         let range_uniforms = ranges
             .iter()
             .map(|r| {
                 let range = layout::Range { first_tet: r.first, tet_count: r.count, ..Default::default() };
-                uniform(&gpu, "range", bytemuck::bytes_of(&range))
+                gpu.uniform("range", &[range])
+            })
+            .collect();
+        let chunk_uniforms = (0..buffers.tet_count)
+            .step_by(CHUNK_CELLS as usize)
+            .map(|first_cell| {
+                gpu.uniform("chunk", &[layout::Chunk { first_cell, cells: CHUNK_CELLS, ..Default::default() }])
             })
             .collect();
         let cells = CellBuffers::new(&gpu, &buffers);
-        let indices = gpu.buffer(
-            "indices",
-            u64::from(BATCH_CELLS) * 24,
-            wgpu::BufferUsages::INDEX | wgpu::BufferUsages::COPY_DST,
-        );
-        gpu.write(&indices, 0, bytemuck::cast_slice(&fan_indices()));
-        let frame = uniform(&gpu, "frame", bytemuck::bytes_of(&layout::Frame::default()));
+        let indices = fan_indices();
+        let usage = wgpu::BufferUsages::INDEX | wgpu::BufferUsages::COPY_DST;
+        let index_buffer = gpu.buffer("indices", indices.len() as u64 * 4, usage);
+        gpu.write(&index_buffer, 0, bytemuck::cast_slice(&indices));
+        let frame = gpu.uniform("frame", &[layout::Frame::default()]);
         let on_host = match settings.sort {
             SortPlace::Auto => gpu.is_software(),
             SortPlace::Host => true,
@@ -112,8 +119,9 @@ impl GpuRenderer {
             buffers,
             ranges,
             range_uniforms,
+            chunk_uniforms,
             cells,
-            indices,
+            indices: index_buffer,
             frame,
             sorter,
             scene: None,
@@ -136,6 +144,10 @@ impl GpuRenderer {
         let flag = |b: bool| f64::from(u8::from(b));
         constants.push(("PERSPECTIVE", flag(perspective)));
         constants.push(("CULL", flag(self.settings.cull)));
+        constants.push(("TET_PARTS", self.ranges.len() as f64));
+        if let Some(first) = self.ranges.first() {
+            constants.push(("TETS_A_PART", f64::from(first.count)));
+        }
         let candidates = self.gpu.kernel("candidates", &constants)?;
         self.write_frame(&layout::Frame {
             tet_count: self.buffers.tet_count,
@@ -154,14 +166,26 @@ impl GpuRenderer {
             write_mask: wgpu::ColorWrites::ALL,
         };
         let written = wgpu::ColorTargetState { blend: None, ..blended.clone() };
+        let attributes = wgpu::vertex_attr_array![0 => Float32x2, 1 => Float32x2, 2 => Float32x2, 3 => Float32x2];
+        let (entries, pairs) = match transfer.bivariate {
+            true => (["vertex_bivariate", "fragment_bivariate"], 4),
+            false => (["vertex", "fragment"], 3),
+        };
+        let corners = wgpu::VertexBufferLayout {
+            array_stride: pairs as u64 * 8,
+            step_mode: wgpu::VertexStepMode::Vertex,
+            attributes: &attributes[..pairs],
+        };
+        let front = Some(wgpu::Face::Back);
         self.scene = Some(SceneState {
             perspective,
             vertices: self.gpu.kernel("vertices", &constants)?,
             cull: self.gpu.kernel("cull", &constants)?,
             compact: self.gpu.kernel("compact", &constants)?,
+            keys: self.gpu.kernel("keys", &constants)?,
             project: self.gpu.kernel("project", &constants)?,
-            raster: self.gpu.draw_kernel("raster", &constants, blended, Some(wgpu::Face::Back))?,
-            resolve: self.gpu.draw_kernel("resolve", &constants, written, None)?,
+            raster: self.gpu.draw_kernel("raster", entries, &constants, blended, front, &[Some(corners)])?,
+            resolve: self.gpu.draw_kernel("resolve", ["vertex", "fragment"], &constants, written, None, &[])?,
             transfer,
         });
         Ok(())
@@ -213,12 +237,18 @@ impl GpuRenderer {
             .with("block_counts", &c.block_counts)
             .with("counts", &c.counts)
             .with("draws", &c.draws)
-            .with("silhouettes", &c.silhouettes)
-            .with("thick", &c.thick)
-            .with("thick_scalars", &c.thick_scalars)
-            .with("thick_gradients", &c.thick_gradients)
+            .with("corners", &c.corners)
+            .with("volumes", &b.volumes)
             .with("keys", &c.keys)
             .with("order", &c.order);
+        for (i, name) in ["tets_a", "tets_b", "tets_c", "tets_d"].into_iter().enumerate() {
+            let part = self
+                .ranges
+                .get(i)
+                .or(self.ranges.first())
+                .map_or((0, 16), |p| (u64::from(p.first) * 16, u64::from(p.count) * 16));
+            r = r.with_part(name, &b.tets, part.0, part.1);
+        }
         if let Some(t) = transfer {
             r = r.with("widgets", &t.widgets).with("pieces", &t.pieces).with("piece_starts", &t.piece_starts);
         }
@@ -263,17 +293,21 @@ impl GpuRenderer {
         recorder.compute(&scene.compact, &scene.compact.bind(gpu, &all)?, Work::Groups(1))?;
         for (range, uniform) in self.ranges.iter().zip(&self.range_uniforms) {
             let part = self.range_resources(all.clone(), *range, uniform);
-            recorder.compute(&scene.project, &scene.project.bind(gpu, &part)?, Work::Items(range.count))?;
+            recorder.compute(&scene.keys, &scene.keys.bind(gpu, &part)?, Work::Items(range.count))?;
         }
         self.sorter.sort(gpu, &mut recorder, &self.cells.counts, &self.cells.keys, &self.cells.order)?;
-        let clear = wgpu::LoadOp::Clear(wgpu::Color { r: 0.0, g: 0.0, b: 0.0, a: 1.0 });
-        let batches = self.buffers.tet_count.div_ceil(BATCH_CELLS);
-        recorder.draw(&scene.raster, &scene.raster.bind(gpu, &all)?, &target.blended, clear, |pass| {
-            pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
-            for batch in 0..u64::from(batches) {
-                pass.draw_indexed_indirect(&self.cells.draws, batch * 20);
-            }
-        })?;
+        let raster_groups = scene.raster.bind(gpu, &all)?;
+        let mut load = wgpu::LoadOp::Clear(wgpu::Color { r: 0.0, g: 0.0, b: 0.0, a: 1.0 });
+        for (chunk, uniform) in (0u64..).zip(&self.chunk_uniforms) {
+            let resources = all.clone().with("chunk", uniform);
+            recorder.compute(&scene.project, &scene.project.bind(gpu, &resources)?, Work::Items(CHUNK_CELLS))?;
+            recorder.draw(&scene.raster, &raster_groups, &target.blended, load, |pass| {
+                pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+                pass.set_vertex_buffer(0, self.cells.corners.slice(..));
+                pass.draw_indexed_indirect(&self.cells.draws, chunk * 20);
+            })?;
+            load = wgpu::LoadOp::Load;
+        }
         let textures = all.clone().with_texture("blended", &target.blended).with_texture("behind", &target.blended);
         let overwrite = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
         recorder.draw(
@@ -303,10 +337,7 @@ impl GpuRenderer {
             ("draws", &c.draws),
             ("projected", &c.projected),
             ("projected_gradients", &c.projected_gradients),
-            ("silhouettes", &c.silhouettes),
-            ("thick", &c.thick),
-            ("thick_scalars", &c.thick_scalars),
-            ("thick_gradients", &c.thick_gradients),
+            ("corners", &c.corners),
             ("keys", &c.keys),
             ("order", &c.order),
             ("indices", &self.indices),
@@ -386,7 +417,7 @@ impl CellBuffers {
         let tets = u64::from(mesh.tet_count);
         let vertices = u64::from(mesh.vertex_count);
         let blocks = tets.div_ceil(256);
-        let batches = tets.div_ceil(u64::from(BATCH_CELLS));
+        let chunks = tets.div_ceil(u64::from(CHUNK_CELLS));
         let copied = STORAGE | wgpu::BufferUsages::COPY_SRC;
         let indirect = STORAGE | wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_SRC;
         Self {
@@ -395,37 +426,42 @@ impl CellBuffers {
             survivors: gpu.buffer("survivors", blocks * 32, copied),
             block_counts: gpu.buffer("block_counts", blocks * 4, STORAGE),
             counts: gpu.buffer("counts", size_of::<layout::Counts>() as u64, indirect),
-            draws: gpu.buffer("draws", batches * 20, STORAGE | wgpu::BufferUsages::INDIRECT),
+            draws: gpu.buffer("draws", chunks * 20, STORAGE | wgpu::BufferUsages::INDIRECT),
             projected: gpu.buffer("projected", vertices * 16, STORAGE),
             projected_gradients: gpu.buffer("projected_gradients", 16, STORAGE),
-            silhouettes: gpu.buffer("silhouettes", tets * 16, STORAGE),
-            thick: gpu.buffer("thick", tets * 16, STORAGE),
-            thick_scalars: gpu.buffer("thick_scalars", tets * 8, STORAGE),
-            thick_gradients: gpu.buffer("thick_gradients", 16, STORAGE),
+            corners: gpu.buffer("corners", u64::from(CHUNK_CELLS) * 160, STORAGE | wgpu::BufferUsages::VERTEX),
             keys: gpu.buffer("keys", tets * 4, copied),
             order: gpu.buffer("order", tets * 4, copied | wgpu::BufferUsages::COPY_DST),
         }
     }
 
     fn need_gradients(&mut self, gpu: &Gpu, mesh: &MeshBuffers) {
-        if self.thick_gradients.size() == 16 {
+        if self.projected_gradients.size() == 16 {
             self.projected_gradients = gpu.buffer("projected_gradients", u64::from(mesh.vertex_count) * 4, STORAGE);
-            self.thick_gradients = gpu.buffer("thick_gradients", u64::from(mesh.tet_count) * 8, STORAGE);
         }
     }
 }
 
 /// A fan around the thick vertex (the fifth), counter-clockwise.
-fn fan_indices() -> Vec<u16> {
-    (0..BATCH_CELLS as u16)
-        .flat_map(|cell| [4, 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0].map(|corner: u16| cell * 5 + corner))
+fn fan_indices() -> Vec<u32> {
+    (0..CHUNK_CELLS)
+        .flat_map(|cell| [4, 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0].map(|corner: u32| cell * 5 + corner))
         .collect()
 }
 
-fn uniform(gpu: &Gpu, label: &str, bytes: &[u8]) -> wgpu::Buffer {
-    let buffer = gpu.buffer(label, bytes.len() as u64, wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST);
-    gpu.write(&buffer, 0, bytes);
-    buffer
+/// Refuses meshes beyond the device, with the numbers.
+fn check_size(gpu: &Gpu, mesh: &MeshBuffers, ranges: &[TetRange]) -> Result<()> {
+    let tets = u64::from(mesh.tet_count);
+    if ranges.len() > MOST_PARTS || tets * 4 > gpu.max_binding {
+        let most = (gpu.max_binding / 4).min(MOST_PARTS as u64 * gpu.max_binding / 16);
+        return Err(Error::Device(format!(
+            "the mesh has {tets} tetrahedra and '{}' binds {} MiB at once, room for {most}; render with \
+             --device oracle, or a coarser mesh",
+            gpu.info.name,
+            gpu.max_binding >> 20
+        )));
+    }
+    Ok(())
 }
 
 /// The frame as shaders see it: mesh space, the eye in two f32 parts.
@@ -457,7 +493,7 @@ fn frame_uniform(frame: &Frame<'_>, mesh: &TetMesh, buffers: &MeshBuffers) -> la
         ray_scale_y: (-2.0 * half / height) as f32,
         ray_offset_x: (-half * aspect) as f32,
         ray_offset_y: half as f32,
-        batch_cells: BATCH_CELLS,
+        chunk_cells: CHUNK_CELLS,
         background: frame.background,
     }
 }

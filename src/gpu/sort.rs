@@ -17,7 +17,8 @@ pub struct Sorter {
 }
 
 enum Place {
-    Host { mapped_keys: wgpu::Buffer },
+    // Keys and cells, one behind the other.
+    Host { mapped: wgpu::Buffer },
     Gpu(Box<GpuSort>),
 }
 
@@ -38,7 +39,7 @@ impl Sorter {
     pub fn new(gpu: &Gpu, capacity: u32, on_host: bool) -> Result<Self> {
         let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
         let place = if on_host {
-            Place::Host { mapped_keys: gpu.buffer("keys, mapped", u64::from(capacity) * 4, usage) }
+            Place::Host { mapped: gpu.buffer("sort pairs, mapped", u64::from(capacity).max(1) * 8, usage) }
         } else {
             Place::Gpu(Box::new(GpuSort::new(gpu, capacity)?))
         };
@@ -48,7 +49,7 @@ impl Sorter {
     /// Buffers held, by label.
     pub fn buffers(&self) -> Vec<(&'static str, &wgpu::Buffer)> {
         match &self.place {
-            Place::Host { mapped_keys } => vec![("keys, mapped", mapped_keys)],
+            Place::Host { mapped } => vec![("sort pairs, mapped", mapped)],
             Place::Gpu(s) => {
                 vec![("sort keys", &s.keys), ("sort values", &s.values), ("sort counts", &s.digit_counts)]
             }
@@ -68,7 +69,7 @@ impl Sorter {
         order: &wgpu::Buffer,
     ) -> Result<()> {
         match &self.place {
-            Place::Host { mapped_keys } => self.sort_on_host(gpu, recorder, mapped_keys, [counts, keys, order]),
+            Place::Host { mapped } => self.sort_on_host(gpu, recorder, mapped, [counts, keys, order]),
             Place::Gpu(sort) => sort.record(gpu, recorder, [counts, keys, order]),
         }
     }
@@ -94,16 +95,20 @@ impl Sorter {
     ) -> Result<()> {
         let count_bytes = size_of::<Counts>() as u64;
         recorder.encoder().copy_buffer_to_buffer(counts, 0, &self.mapped_counts, 0, count_bytes);
-        recorder.encoder().copy_buffer_to_buffer(keys, 0, mapped, 0, keys.size().min(mapped.size()));
         recorder.submit();
         let counts: Vec<Counts> = gpu.map(&self.mapped_counts, count_bytes)?;
-        let survivors = counts.first().map_or(0, |c| c.survivors);
-        let keys: Vec<u32> = gpu.map(mapped, u64::from(survivors).max(4) * 4)?;
+        let survivors = counts.first().map_or(0, |c| u64::from(c.survivors));
+        if survivors == 0 {
+            return Ok(());
+        }
+        recorder.encoder().copy_buffer_to_buffer(keys, 0, mapped, 0, survivors * 4);
+        recorder.encoder().copy_buffer_to_buffer(order, 0, mapped, survivors * 4, survivors * 4);
+        recorder.submit();
+        let words: Vec<u32> = gpu.map(mapped, survivors * 8)?;
         let sorted = recorder.host("sort", || {
-            let mut pairs: Vec<u64> = (0u64..)
-                .zip(&keys[..(survivors as usize).min(keys.len())])
-                .map(|(cell, &key)| u64::from(key) << 32 | cell)
-                .collect();
+            let (keys, cells) = words.split_at(words.len() / 2);
+            let mut pairs: Vec<u64> =
+                keys.iter().zip(cells).map(|(&key, &cell)| u64::from(key) << 32 | u64::from(cell)).collect();
             pairs.par_sort_unstable();
             pairs.into_iter().map(|pair| pair as u32).collect::<Vec<u32>>()
         });

@@ -6,8 +6,10 @@ use crate::gpu::layout::{Piece, Widget as GpuWidget};
 use crate::gpu::mesh::Normalisation;
 use crate::scene::{Curve, TransferFunction, Widget, WidgetShape};
 
-/// Equal parts of 0..1 in the table that finds a scalar's piece.
-const PIECE_STARTS: usize = 257;
+/// Widgets and pieces that the shaders hold: the lengths of their uniform arrays.
+pub const MOST_WIDGETS: usize = 64;
+/// See [`MOST_WIDGETS`]; two more than the nodes of a curve, less one.
+pub const MOST_PIECES: usize = 1024;
 
 /// Normalised values are clamped to 0..1, so a range that ends beyond is as good as unbounded.
 const UNBOUNDED: [f32; 2] = [-1.0, 2.0];
@@ -47,6 +49,14 @@ impl TransferBuffers {
             TransferFunction::Curve(curve) => (Vec::new(), curve_pieces(curve, scalar, data_per_mesh)),
         };
         check(&widgets, &pieces)?;
+        if widgets.len() > MOST_WIDGETS || pieces.len() > MOST_PIECES {
+            return Err(Error::Asked(format!(
+                "the transfer function has {} widgets and {} pieces of a curve; this renderer holds {MOST_WIDGETS} \
+                 and {MOST_PIECES}",
+                widgets.len(),
+                pieces.len()
+            )));
+        }
         let starts = piece_starts(&pieces);
         let bivariate = widgets.iter().any(|w| {
             w.shape == 1 && (w.whiten[1] != 0.0 || w.whiten[3] != 0.0) || [w.gradient_low, w.gradient_high] != UNBOUNDED
@@ -55,27 +65,25 @@ impl TransferBuffers {
             .iter()
             .any(|w| [w.scalar_low, w.scalar_high] != UNBOUNDED || [w.gradient_low, w.gradient_high] != UNBOUNDED);
         let counts = [widgets.len() as f64, pieces.len() as f64];
-        // Bindings must hold one element.
-        if widgets.is_empty() {
-            widgets.push(GpuWidget::default());
-        }
-        if pieces.is_empty() {
-            pieces.push(Piece::default());
-        }
         let flag = |b: bool| f64::from(u8::from(b));
         let constants = vec![
             ("WIDGETS", counts[0]),
             ("PIECES", counts[1]),
-            ("PIECE_STARTS", PIECE_STARTS as f64),
             ("BIVARIATE", flag(bivariate)),
             ("GAUSSIANS", flag(widgets.iter().any(|w| w.shape == 1))),
             ("RANGES", flag(ranges)),
         ];
         Ok(Self {
             source: transfer.clone(),
-            widgets: gpu.storage("widgets", &widgets),
-            pieces: gpu.storage("pieces", &pieces),
-            piece_starts: gpu.storage("piece_starts", &starts),
+            widgets: {
+                widgets.resize(MOST_WIDGETS, GpuWidget::default());
+                gpu.uniform("widgets", &widgets)
+            },
+            pieces: {
+                pieces.resize(MOST_PIECES, Piece::default());
+                gpu.uniform("pieces", &pieces)
+            },
+            piece_starts: gpu.uniform("piece_starts", &starts),
             constants,
             bivariate,
         })
@@ -130,33 +138,38 @@ fn curve_pieces(curve: &Curve, scalar: Normalisation, data_per_mesh: f64) -> Vec
     let (Some(first), Some(last)) = (nodes.first(), nodes.last()) else { return Vec::new() };
     let constant = |value, low: f64, high: f64| Piece {
         low: value,
-        high: value,
         scalar_low: low as f32,
         scalar_high: high as f32,
         ..Default::default()
     };
     let mut pieces = vec![constant(first.1, first.0.min(0.0) - 1.0, first.0)];
-    pieces.extend(nodes.windows(2).map(|pair| Piece {
-        low: pair[0].1,
-        high: pair[1].1,
-        scalar_low: pair[0].0 as f32,
-        scalar_high: pair[1].0 as f32,
-        inverse_width: (1.0 / (pair[1].0 - pair[0].0)).min(1e30) as f32,
-        pad: 0.0,
+    pieces.extend(curve.nodes.windows(2).zip(nodes.windows(2)).map(|(data, pair)| {
+        let width = pair[1].0 - pair[0].0;
+        let slope = |low: f64, high: f64| ((high - low) / width) as f32;
+        let [a, b] = [&data[0], &data[1]];
+        Piece {
+            low: pair[0].1,
+            slope: [
+                slope(a.color[0], b.color[0]),
+                slope(a.color[1], b.color[1]),
+                slope(a.color[2], b.color[2]),
+                slope(a.extinction * data_per_mesh, b.extinction * data_per_mesh),
+            ],
+            scalar_low: pair[0].0 as f32,
+            scalar_high: pair[1].0 as f32,
+            ..Default::default()
+        }
     }));
     pieces.push(constant(last.1, last.0, last.0.max(1.0) + 1.0));
     pieces
 }
 
-/// For each of equal parts of 0..1, the first piece that reaches into it.
-fn piece_starts(pieces: &[Piece]) -> Vec<u32> {
-    (0..PIECE_STARTS)
-        .map(|i| {
-            // A part early: the table's rounding must not skip a piece.
-            let scalar = (i as f32 - 0.01) / (PIECE_STARTS - 1) as f32;
-            pieces.iter().take_while(|p| p.scalar_high <= scalar).count().min(pieces.len().saturating_sub(1)) as u32
-        })
-        .collect()
+/// For each of 256 equal parts of 0..1 (and for 1 itself), the first and the last piece that reach into it.
+fn piece_starts(pieces: &[Piece]) -> Vec<[u32; 4]> {
+    // The last piece whose low end is at or below the scalar.
+    let holder = |scalar: f32| pieces.iter().take_while(|p| p.scalar_low <= scalar).count().saturating_sub(1) as u32;
+    // A hair wider: the shader's rounding must not skip a piece.
+    (0..257u16).map(|i| [holder((f32::from(i) - 0.01) / 256.0), holder((f32::from(i) + 1.01) / 256.0), 0, 0]).collect()
 }
 
 fn check(widgets: &[GpuWidget], pieces: &[Piece]) -> Result<()> {
@@ -170,7 +183,7 @@ fn check(widgets: &[GpuWidget], pieces: &[Piece]) -> Result<()> {
         }
     }
     for (i, p) in pieces.iter().enumerate() {
-        if !(finite(&p.low) && finite(&p.high) && p.scalar_low.is_finite() && p.scalar_high.is_finite()) {
+        if !(finite(&p.low) && finite(&p.slope) && p.scalar_low.is_finite() && p.scalar_high.is_finite()) {
             return Err(Error::Asked(format!("curve: the nodes around piece {i} are beyond f32 on this mesh")));
         }
     }

@@ -1,0 +1,42 @@
+#import shared/frame
+#import shared/range
+
+// Lists the surviving cells with their sort keys: the view depth of the centroid, far cells first.
+
+@group(1) @binding(0) var<storage, read> tets: array<vec4u>; // of the range
+@group(1) @binding(1) var<storage, read> vertices: array<vec4f>;
+@group(3) @binding(1) var<storage, read> survivors: array<u32>; // one bit a cell of the range
+@group(3) @binding(2) var<storage, read> block_offsets: array<u32>; // of the range
+@group(3) @binding(3) var<storage, read_write> keys: array<u32>; // ascending = back to front
+@group(3) @binding(4) var<storage, read_write> order: array<u32>;
+
+// The rank of cell i among the survivors.
+fn rank_of(i: u32) -> u32 {
+    let block = i >> 8u;
+    let word = i >> 5u;
+    var before = countOneBits(survivors[word] & ((1u << (i & 31u)) - 1u));
+    for (var w = block * 8u; w < word; w++) {
+        before += countOneBits(survivors[w]);
+    }
+    return block_offsets[block] + before;
+}
+
+// Bits that sort floats descending.
+fn far_first(depth: f32) -> u32 {
+    let bits = bitcast<u32>(depth);
+    return ~select(bits | 0x80000000u, ~bits, (bits & 0x80000000u) != 0u);
+}
+
+@compute @workgroup_size(256)
+fn main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) groups: vec3u) {
+    let i = id.x + id.y * groups.x * 256u;
+    if i >= range.tet_count || (survivors[i >> 5u] & (1u << (i & 31u))) == 0u {
+        return;
+    }
+    let tet = tets[i];
+    let sum = from_eye(vertices[tet.x].xyz) + from_eye(vertices[tet.y].xyz) + from_eye(vertices[tet.z].xyz)
+        + from_eye(vertices[tet.w].xyz);
+    let rank = rank_of(i);
+    keys[rank] = far_first(dot(frame.forward, sum) * 0.25);
+    order[rank] = range.first_tet + i;
+}
