@@ -2,9 +2,40 @@
 //!
 //! [`read`] opens any supported format. One file here per format; [`synth`] makes procedural meshes instead.
 
-use std::path::PathBuf;
+mod cells;
+mod choice;
+mod file;
+mod notes;
+mod xml;
+
+use std::path::{Path, PathBuf};
 
 use glam::DVec3;
+
+use crate::error::{Error, Result};
+
+/// Reads a mesh from a file of any supported format: by its content where that begins as XML does, else by its
+/// extension (case-insensitive).
+///
+/// # Errors
+///
+/// [`Error::Io`] where the file cannot be opened, [`Error::Malformed`] where it is not what it should be,
+/// [`Error::Mesh`] where it holds nothing that can be rendered, [`Error::Asked`] where an array, a step or a format is
+/// asked for that is not there.
+pub fn read(path: &Path, options: &ReadOptions) -> Result<Mesh> {
+    if file::begins_with_xml(path)? {
+        return xml::read(path, options);
+    }
+    let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
+    match extension.as_str() {
+        // LEAD: the arms of legacy, plot3d, raw and nrrd go here.
+        "vtu" | "pvtu" | "vti" | "pvti" | "vtr" | "pvtr" | "vts" | "pvts" | "pvd" => xml::read(path, options),
+        _ => Err(Error::Asked(format!("unknown mesh format; known extensions: {EXTENSIONS}: {}", path.display()))),
+    }
+}
+
+/// What [`read`] knows, for its error message.
+const EXTENSIONS: &str = "vtu, pvtu, vti, pvti, vtr, pvtr, vts, pvts, pvd";
 
 /// A cell's shape. Quadratic cells are read by their corner nodes, in the linear shape's order.
 ///
