@@ -196,10 +196,7 @@ def quadratic():
                 cell.SetUniformOrderFromNumPoints(nodes)
             cell.Initialize()
         count = cell.GetNumberOfPoints()
-        flat = cell.GetParametricCoords()
-        own = np.array([flat[k] if not hasattr(flat, "GetValue") else flat.GetValue(k) for k in range(3 * count)]) \
-            if not isinstance(flat, (list, tuple)) else np.array(flat)
-        own = own[: 3 * count].reshape(-1, 3) + [2 * i, 0, 0]
+        own = np.array(cell.GetParametricCoords())[: 3 * count].reshape(-1, 3) + [2 * i, 0, 0]
         cells.append((cell.GetCellType(), range(len(points), len(points) + count)))
         points.extend(own)
     grid = unstructured(np.array(points), cells)

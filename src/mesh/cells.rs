@@ -103,8 +103,11 @@ mod tests {
     fn corners_never_outnumber_nodes() {
         for code in 0..=255 {
             if let CellClass::Volume { kind, nodes } = classify(code) {
-                assert!(nodes.allows(kind.node_count()) || kind.node_count() < 28 && is_higher_order(code), "{code}");
-                assert!(!nodes.allows(kind.node_count() - 1), "{code}");
+                let fewest = match nodes {
+                    NodeCount::Exactly(n) | NodeCount::AtLeast(n) => n,
+                };
+                assert_eq!(fewest > kind.node_count(), is_higher_order(code) && code < 60, "{code}");
+                assert!(fewest >= kind.node_count() && !nodes.allows(fewest - 1), "{code}");
             }
         }
         assert!(!NodeCount::Exactly(4).allows(5));

@@ -60,3 +60,25 @@ fn absent(name: &str, available: &[ArrayInfo]) -> Error {
     let list: Vec<String> = available.iter().map(describe).collect();
     Error::Asked(format!("there is no array `{name}`; the file has {}", list.join(", ")))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_field_is_a_point_array_that_numbers_nothing() {
+        let info = |name: &str, association| ArrayInfo { name: name.into(), association, components: 1 };
+        let cell = info("pressure", Association::Cell);
+        let ids = info("GlobalNodeIds", Association::Point);
+        let point = info("a:b", Association::Point);
+        let select = |choice: ArrayChoice, available: &[ArrayInfo]| choice.select(available).ok();
+        let all = [cell, ids, point];
+        assert_eq!(select(ArrayChoice::One(None), &all), Some(vec![2]));
+        assert_eq!(select(ArrayChoice::One(None), &all[..2]), Some(vec![0]));
+        assert_eq!(select(ArrayChoice::One(None), &all[1..2]), None);
+        assert_eq!(select(ArrayChoice::All, &all), Some(vec![0, 1, 2]));
+        for (name, found) in [("a:b", Some(2)), ("a:b:mag", Some(2)), ("a", None), ("pressure:0", Some(0))] {
+            assert_eq!(select(ArrayChoice::One(Some(name.into())), &all), found.map(|i| vec![i]), "{name}");
+        }
+    }
+}

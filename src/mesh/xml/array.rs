@@ -83,10 +83,10 @@ impl<'a> Array<'a> {
     pub(super) fn read_any(&self, document: &Document<'a>) -> Result<Numbers<'a>> {
         let bytes = match self.place {
             Place::Ascii(text) => {
-                let values = ascii(text).map_err(|what| self.error(document, &what))?;
-                return Ok(Numbers::from_values(&values));
+                let bytes = ascii(text).map_err(|what| self.error(document, &what))?;
+                return Ok(Numbers::new(Cow::Owned(bytes), Number::F64, false));
             }
-            Place::Base64(text) if text.is_empty() => Ok(Cow::Borrowed(&[][..])),
+            Place::Base64("") => Ok(Cow::Borrowed(&[][..])),
             Place::Base64(text) => document.layout.base64(text.as_bytes()).map(Cow::Owned),
             Place::Appended(offset) => match document.appended.get(offset..) {
                 None => Err(format!("its offset {offset} lies beyond the end of the file")),
@@ -113,13 +113,16 @@ impl<'a> Array<'a> {
     }
 }
 
-fn ascii(text: &str) -> Result<Vec<f64>, String> {
-    let value = |(i, word): (usize, &str)| {
+/// Numbers of any type from text, as the bytes of little-endian f64.
+fn ascii(text: &str) -> Result<Vec<u8>, String> {
+    let mut bytes = Vec::new();
+    for (i, word) in text.split_ascii_whitespace().enumerate() {
         // Some writers decorate: "-nan(ind)".
         let plain = if word.trim_start_matches('-').starts_with("nan") { "nan" } else { word };
-        plain.parse::<f64>().map_err(|_| format!("value {i} is `{}`, not a number", shorten(word)))
-    };
-    text.split_ascii_whitespace().enumerate().map(value).collect()
+        let value: f64 = plain.parse().map_err(|_| format!("value {i} is `{}`, not a number", shorten(word)))?;
+        bytes.extend_from_slice(&value.to_le_bytes());
+    }
+    Ok(bytes)
 }
 
 fn shorten(word: &str) -> String {

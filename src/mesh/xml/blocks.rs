@@ -178,3 +178,33 @@ fn xz_size(stream: &[u8]) -> Option<usize> {
     };
     (*rest.get(padding + check)? == 0).then_some(total)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn announced_sizes_of_xz_streams_are_found_and_held_to() {
+        let data: Vec<u8> = (0..200_000_u32).map(|i| (i % 251) as u8).collect();
+        let mut stream = Vec::new();
+        lzma_rs::xz_compress(&mut &data[..], &mut stream).unwrap();
+        assert_eq!(xz_size(&stream), Some(data.len()));
+        assert_eq!(lzma(&stream, data.len()).unwrap(), data);
+        assert!(lzma(&stream, data.len() - 1).unwrap_err().contains("200000 bytes"));
+        assert_eq!(xz_size(&stream[..stream.len() / 2]), None);
+        let twice = [&stream[..], &stream[..]].concat();
+        assert!(lzma(&twice, data.len()).is_err());
+    }
+
+    #[test]
+    fn a_block_yields_what_it_claims_or_nothing() {
+        let table = |size| BlockTable { block_size: size, last_size: 0, compressed_sizes: vec![5] };
+        // LZ4: a token of four literals.
+        let block = [0x40, 1, 2, 3, 4];
+        assert_eq!(table(4).decompress(&block, Compressor::Lz4).unwrap(), [1, 2, 3, 4]);
+        assert!(table(3).decompress(&block, Compressor::Lz4).is_err());
+        assert!(table(5).decompress(&block, Compressor::Lz4).unwrap_err().contains("instead of 5"));
+        assert!(table(4).decompress(&block[..4], Compressor::Lz4).unwrap_err().contains("cut off"));
+        assert!(table(1 << 40).decompress(&block, Compressor::Lz4).unwrap_err().contains("cannot yield"));
+    }
+}

@@ -61,10 +61,9 @@ impl<'a> Numbers<'a> {
         Self { bytes, number, big_endian }
     }
 
-    /// Values parsed from text.
-    pub(super) fn from_values(values: &[f64]) -> Self {
-        let bytes = values.iter().flat_map(|v| v.to_le_bytes()).collect();
-        Self { bytes: Cow::Owned(bytes), number: Number::F64, big_endian: false }
+    /// No values.
+    pub(super) fn none() -> Self {
+        Self { bytes: Cow::Borrowed(&[]), number: Number::U8, big_endian: false }
     }
 
     /// Number of values.
@@ -95,7 +94,7 @@ impl<'a> Numbers<'a> {
             Number::F32 | Number::F64 => {
                 let value = self.float(bytes)?;
                 // Exact below 2^53; beyond that no file has so many points.
-                (value >= 0.0 && value <= 9.0e15 && value.fract() == 0.0).then_some(value as u64)
+                ((0.0..=9.0e15).contains(&value) && value.fract() == 0.0).then_some(value as u64)
             }
         }
     }

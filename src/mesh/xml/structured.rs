@@ -107,7 +107,9 @@ impl Grid<'_> {
 
     /// For each point or cell whether the file's ghost marks have one of the bits `mask`; empty where none has.
     fn marks(&self, association: Association, mask: u64) -> Result<Vec<bool>> {
-        let marks = |block: &Block<'_>| ghosts(block.arrays(association)).is_some_and(|a| a.name == "vtkGhostType");
+        let marks = |block: &Block<'_>| {
+            ghosts(block.arrays(association)).is_some_and(|a| a.name == "vtkGhostType" && a.components == 1)
+        };
         if !self.blocks.iter().all(marks) {
             return Ok(Vec::new());
         }

@@ -22,7 +22,7 @@ pub(super) fn read(documents: &[&Document<'_>], options: &ReadOptions, weld: boo
     for &document in documents {
         for node in children(document.grid()?, "Piece") {
             let piece = Piece::new(document, node, &mut notes)?;
-            if piece.points > 0 {
+            if piece.points > 0 || piece.cells > 0 {
                 pieces.push(piece);
             }
         }
@@ -143,8 +143,7 @@ impl<'d> Piece<'d> {
             array.ok_or_else(|| self.error(&format!("its cells have no array `{name}`")))
         };
         let (types, offsets, connectivity) = if self.cells == 0 {
-            let none = || Numbers::from_values(&[]);
-            (none(), none(), none())
+            (Numbers::none(), Numbers::none(), Numbers::none())
         } else {
             (
                 named("types")?.read(self.document, self.cells)?,
@@ -152,18 +151,7 @@ impl<'d> Piece<'d> {
                 named("connectivity")?.read_any(self.document)?,
             )
         };
-        let ghost = match ghosts(&self.cell_arrays) {
-            Some(array) => Some(array.read(self.document, self.cells)?),
-            None => None,
-        };
-        let is_ghost = |cell: usize| match (&ghost, ghosts(&self.cell_arrays)) {
-            (Some(marks), Some(array)) => {
-                let mark = marks.index(cell * array.components).unwrap_or(0);
-                // The older array counts levels away from the piece's own cells.
-                if array.name == "vtkGhostLevels" { mark > 0 } else { mark & GHOST_CELL != 0 }
-            }
-            _ => false,
-        };
+        let ghosts = self.read_ghosts()?;
         let mut cells = Cells::with_capacity(self.cells, connectivity.len());
         let mut counts = LeftOut::default();
         let mut start = 0;
@@ -173,7 +161,7 @@ impl<'d> Piece<'d> {
             let code = types.index(cell).unwrap_or(u64::MAX);
             match classify(code) {
                 CellClass::LeftOut(word) => counts.add(word),
-                CellClass::Volume { .. } if is_ghost(cell) => counts.ghosts += 1,
+                CellClass::Volume { .. } if ghosts.get(cell) == Some(&true) => counts.ghosts += 1,
                 CellClass::Volume { kind, nodes } => {
                     if !nodes.allows(end - start) {
                         let what =
@@ -190,6 +178,16 @@ impl<'d> Piece<'d> {
         counts.tell(notes);
         cells.close();
         Ok(cells)
+    }
+
+    /// Whether each cell is a copy of another piece's, or hidden; empty where the piece does not say.
+    fn read_ghosts(&self) -> Result<Vec<bool>> {
+        let Some(array) = ghosts(&self.cell_arrays) else { return Ok(Vec::new()) };
+        let marks = array.read(self.document, self.cells)?;
+        // The older array counts levels away from the piece's own cells.
+        let mask = if array.name == "vtkGhostLevels" { u64::MAX } else { GHOST_CELL };
+        let is_ghost = |cell| marks.index(cell * array.components).unwrap_or(0) & mask != 0;
+        Ok((0..self.cells).map(is_ghost).collect())
     }
 
     /// Where the nodes of a cell end in the connectivity.
