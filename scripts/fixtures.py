@@ -127,8 +127,6 @@ def types():
     for bits in (32, 64):
         add(grid.GetPointData(), f"f{bits}", index - 10, f"float{bits}")
     add(grid.GetPointData(), "T", np.arange(32 * 9).reshape(32, 9), np.float32)
-    unnamed = numpy_to_vtk(np.full(32, 7.0), deep=True)
-    grid.GetPointData().AddArray(unnamed)
     words = vtk.vtkStringArray()
     words.SetName("words")
     for i in range(32):
@@ -239,10 +237,10 @@ def structured():
     axes = [np.array([0, 1, 3, 7.0]), np.array([-1, 0, 0.5, 4]), np.array([2, 3, 5.0])]
     rectilinear = vtk.vtkRectilinearGrid()
     rectilinear.SetExtent(*extent)
-    for axis, set_axis in zip(
-        axes, [rectilinear.SetXCoordinates, rectilinear.SetYCoordinates, rectilinear.SetZCoordinates]
-    ):
-        set_axis(numpy_to_vtk(axis, deep=True))
+    for axis, values in zip("XYZ", axes):
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(axis)  # else VTK writes an address as its name
+        getattr(rectilinear, f"Set{axis}Coordinates")(array)
     add_fields(rectilinear)
     write(vtk.vtkXMLRectilinearGridWriter(), "rectilinear.vtr", rectilinear, "binary", "LZ4")
 

@@ -22,6 +22,15 @@ fn replace(bytes: &mut Vec<u8>, from: &str, to: &str) {
 }
 
 #[test]
+fn an_array_without_a_name_gets_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let mesh = read_damaged(folder.path(), "encoding_ascii.vtu", |bytes| replace(bytes, " Name=\"linear\"", ""));
+    let mesh = mesh.unwrap();
+    assert_eq!(mesh.arrays[0].name, "PointData 0");
+    assert_eq!(mesh.arrays[0].values, load("encoding_ascii.vtu").arrays[0].values);
+}
+
+#[test]
 fn damage_is_named() {
     let folder = tempfile::tempdir().unwrap();
     let raw = "encoding_appended_none_u64_le.vtu";

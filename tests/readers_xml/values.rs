@@ -50,7 +50,6 @@ fn every_type_of_values_is_read() {
         assert_eq!((tensor.components, tensor.values[9 * 7 + 4]), (9, 67.0));
         assert_eq!(noted(&mesh, "strings"), 1, "{name}: {:?}", mesh.notes);
         assert_eq!(mesh.available.len(), mesh.arrays.len());
-        assert!(mesh.arrays.iter().any(|a| a.values == [7.0; 32]), "{name}: the unnamed array");
     }
 }
 
