@@ -1,7 +1,20 @@
 //! What a renderer needs of a mesh, independent of the view.
+//!
+//! [`TetMesh::new`] makes it from what a file said and tells in a [`Census`] what it dropped or repaired on the way.
+
+mod build;
+mod cells;
+mod census;
+mod field;
+mod geometry;
+mod gradient;
+mod split;
 
 use glam::DVec3;
 
+pub use self::census::{Census, Finding, KindCount};
+pub use self::field::FieldChoice;
+pub use self::split::HexSplit;
 use crate::space::{Bounds, Interval};
 
 /// Index of a tetrahedron in [`TetMesh::tets`].
@@ -11,6 +24,9 @@ pub struct TetId(pub u32);
 /// Index of a vertex in [`TetMesh::vertices`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct VertexId(pub u32);
+
+/// The most tetrahedra a mesh may have: the four faces of all of them must be indexed in a u32.
+pub const MAX_TETS: u64 = (1 << 30) - 1;
 
 /// No neighbour across a face: the face is on the boundary.
 pub const NO_TET: u32 = u32::MAX;

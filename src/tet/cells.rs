@@ -1,0 +1,139 @@
+//! The cells of a topology, checked, one after another or in parallel chunks.
+
+use super::census::Tally;
+use crate::error::{Error, Result};
+use crate::mesh::{CellKind, Topology};
+
+const CHUNK: usize = 1 << 15;
+
+/// One volume cell.
+pub(super) struct Cell<'a> {
+    /// Index in the file, blanked cells counted.
+    pub index: usize,
+    pub kind: CellKind,
+    pub nodes: &'a [u32],
+    /// Parity of i + j + k in a structured grid.
+    pub odd: bool,
+}
+
+/// All cells that are not blanked. Every node index is below the number of points.
+pub(super) struct Cells<'a> {
+    topology: &'a Topology,
+    /// Where the nodes of every `CHUNK`-th explicit cell begin.
+    starts: Vec<usize>,
+}
+
+impl<'a> Cells<'a> {
+    pub(super) fn new(topology: &'a Topology, point_count: usize) -> Result<Self> {
+        let mut starts = Vec::new();
+        match topology {
+            Topology::Cells { kinds, nodes } => {
+                let mut at = 0;
+                for (i, kind) in kinds.iter().enumerate() {
+                    if i % CHUNK == 0 {
+                        starts.push(at);
+                    }
+                    at += kind.node_count();
+                }
+                if at != nodes.len() {
+                    return Err(Error::Mesh(format!("the cells need {at} nodes and {} are given", nodes.len())));
+                }
+                if let Some(i) = nodes.iter().position(|&n| n as usize >= point_count) {
+                    return Err(Error::Mesh(format!(
+                        "a cell names point {} (entry {i} of the cells' nodes) and there are {point_count} points",
+                        nodes[i]
+                    )));
+                }
+            }
+            Topology::Structured { points, blank } => {
+                let product = points.iter().try_fold(1_usize, |n, &p| n.checked_mul(p));
+                if points.iter().any(|&n| n < 2) || product != Some(point_count) {
+                    return Err(Error::Mesh(format!(
+                        "a structured grid of {} x {} x {} points cannot be made of {point_count} points: each axis \
+                         needs at least 2",
+                        points[0], points[1], points[2]
+                    )));
+                }
+                if u32::try_from(point_count).is_err() {
+                    return Err(Error::Mesh(format!("{point_count} points are more than 2^32 - 1: cut the grid")));
+                }
+                if !blank.is_empty() && blank.len() != point_count {
+                    return Err(Error::Mesh(format!("{} blanking marks for {point_count} points", blank.len())));
+                }
+            }
+        }
+        Ok(Self { topology, starts })
+    }
+
+    /// Number of cells, blanked ones counted.
+    pub(super) fn len(&self) -> usize {
+        self.topology.cell_count()
+    }
+
+    pub(super) fn is_structured(&self) -> bool {
+        matches!(self.topology, Topology::Structured { .. })
+    }
+
+    /// Number of pieces for [`Cells::visit`], which together hold all cells in order.
+    pub(super) fn chunk_count(&self) -> usize {
+        self.len().div_ceil(CHUNK)
+    }
+
+    /// Visits every cell that is not blanked, in order.
+    pub(super) fn for_each(&self, mut visit: impl FnMut(Cell<'_>)) {
+        (0..self.chunk_count()).for_each(|chunk| self.visit(chunk, &mut visit));
+    }
+
+    /// Visits the cells of one chunk that are not blanked, in order.
+    pub(super) fn visit(&self, chunk: usize, mut visit: impl FnMut(Cell<'_>)) {
+        let range = chunk * CHUNK..((chunk + 1) * CHUNK).min(self.len());
+        match self.topology {
+            Topology::Cells { kinds, nodes } => {
+                let mut at = self.starts[chunk];
+                for index in range {
+                    let kind = kinds[index];
+                    let end = at + kind.node_count();
+                    visit(Cell { index, kind, nodes: &nodes[at..end], odd: false });
+                    at = end;
+                }
+            }
+            Topology::Structured { points, blank } => {
+                for index in range {
+                    let (nodes, odd) = structured_nodes(index, *points);
+                    if !is_blank(&nodes, blank) {
+                        visit(Cell { index, kind: CellKind::Hexahedron, nodes: &nodes, odd });
+                    }
+                }
+            }
+        }
+    }
+
+    /// Cells that blanking leaves out.
+    pub(super) fn blanked(&self) -> Tally {
+        let mut tally = Tally::default();
+        if let Topology::Structured { points, blank } = self.topology
+            && !blank.is_empty()
+        {
+            for index in 0..self.len() {
+                if is_blank(&structured_nodes(index, *points).0, blank) {
+                    tally.add(index);
+                }
+            }
+        }
+        tally
+    }
+}
+
+/// The nodes of a grid's cell in the hexahedron's order, and the parity of i + j + k.
+fn structured_nodes(index: usize, points: [usize; 3]) -> ([u32; 8], bool) {
+    let [nx, ny, _] = points;
+    let (i, j, k) = (index % (nx - 1), index / (nx - 1) % (ny - 1), index / ((nx - 1) * (ny - 1)));
+    let b = i + nx * (j + ny * k);
+    let top = b + nx * ny;
+    let nodes = [b, b + 1, b + 1 + nx, b + nx, top, top + 1, top + 1 + nx, top + nx];
+    (nodes.map(|n| n as u32), (i + j + k) % 2 == 1)
+}
+
+fn is_blank(nodes: &[u32; 8], blank: &[bool]) -> bool {
+    !blank.is_empty() && nodes.iter().any(|&n| blank[n as usize])
+}
