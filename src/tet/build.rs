@@ -67,8 +67,8 @@ impl Frame {
     fn around(points: &[DVec3], used: &[bool]) -> Result<Self> {
         let bounds = Bounds::of(points.iter().zip(used).filter(|(_, used)| **used).map(|(&p, _)| p));
         let radius = (0.5 * bounds.max - 0.5 * bounds.min).length();
-        // Beyond these, squares and cubes of lengths leave f64's range.
-        if !(1e-90..=1e90).contains(&radius) {
+        // Beyond these, volumes and gradients could leave f64's range.
+        if !(1e-60..=1e60).contains(&radius) {
             return Err(Error::Mesh(format!(
                 "the mesh's cells reach from {} to {}: they fill no space that could be computed with; check the \
                  coordinates, or change their unit",

@@ -2,19 +2,25 @@
 //!
 //! [`TetMesh::new`] makes it from what a file said and tells in a [`Census`] what it dropped or repaired on the way.
 
+mod adjacency;
 mod build;
 mod cells;
 mod census;
 mod field;
 mod geometry;
 mod gradient;
+mod histogram;
 mod split;
+mod topology;
 
 use glam::DVec3;
 
+pub use self::adjacency::{Adjacency, FACES};
 pub use self::census::{Census, Finding, KindCount};
 pub use self::field::FieldChoice;
+pub use self::histogram::JointHistogram;
 pub use self::split::HexSplit;
+pub use self::topology::TopologyCensus;
 use crate::space::{Bounds, Interval};
 
 /// Index of a tetrahedron in [`TetMesh::tets`].

@@ -1,0 +1,10 @@
+//! What a `TetMesh` promises, and what its census tells.
+
+mod census;
+mod data;
+mod field;
+mod histogram;
+mod laws;
+mod suggest;
+mod support;
+mod topology;
