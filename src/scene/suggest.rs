@@ -8,6 +8,10 @@ use crate::tet::{JointHistogram, TetMesh};
 /// the box's diagonal it is two to three times as much.
 const OPTICAL_DEPTH: f64 = 1.2;
 
+/// Features that fill less of the volume than this are not made any denser: a blob of this share crossed in the middle
+/// has about a hundred times its widget's share of the optical depth, a layer across the mesh the share itself.
+const SMALLEST_COVERAGE: f64 = 2e-3;
+
 /// The most widgets.
 const WIDGETS: usize = 4;
 
@@ -33,7 +37,7 @@ pub fn suggest(mesh: &TetMesh, histogram: &JointHistogram) -> TransferFunction {
     let colors = spread_colors(&shapes);
     let mut widgets = Vec::new();
     for (&peak, color) in shapes.iter().zip(colors) {
-        let coverage = peak.coverage(histogram);
+        let coverage = peak.coverage(histogram).max(SMALLEST_COVERAGE);
         let extinction = OPTICAL_DEPTH / shapes.len() as f64 / (depth_per_extinction * coverage);
         if extinction.is_finite() {
             widgets.push(Widget { shape: peak.shape(), color, extinction, scalar_range: None, gradient_range: None });

@@ -1,11 +1,12 @@
 //! Real grids from the folder that TETRALUX_DATA names.
 
+use std::collections::HashMap;
 use std::fs;
 use std::path::PathBuf;
 
 use glam::DVec3;
 use tetralux::mesh::{Mesh, Topology};
-use tetralux::tet::{Adjacency, Census, TetMesh};
+use tetralux::tet::{Adjacency, Census, FACES, TetMesh};
 
 use crate::support::{build, mesh_of, point_array, six_volumes};
 
@@ -44,8 +45,19 @@ fn blunt_fin() {
     assert_eq!(census.tets_made, 224_874);
     assert_eq!(census.zero_volume.count, 115);
     assert_eq!(census.coincident_points.count, 39);
-    let topology = Census::topology(&mesh, &Adjacency::new(&mesh));
+    let adjacency = Adjacency::new(&mesh);
+    let topology = Census::topology(&mesh, &adjacency);
     assert_eq!(topology.overfull_faces.count, 0, "{topology}");
+    // 13,516 boundary faces with the flat tetrahedra in. Without them, as points are not merged, 77 pairs of faces lie
+    // at one place and do not know each other: a slit of no width at the fin's axis.
+    let mut places: HashMap<[[u64; 3]; 3], u64> = HashMap::new();
+    for (t, f) in adjacency.boundary_faces() {
+        let mut place = FACES[f].map(|i| (mesh.corners(t)[i] + DVec3::ZERO).to_array().map(f64::to_bits));
+        place.sort_unstable();
+        *places.entry(place).or_default() += 1;
+    }
+    let paired: u64 = places.into_values().filter(|&n| n > 1).sum();
+    assert_eq!((topology.boundary_faces, paired), (13_592, 2 * 77), "{topology}");
 }
 
 #[test]

@@ -60,7 +60,9 @@ fn every_kind_of_field_shows_and_none_is_opaque() {
         let widgets = widgets(&mesh);
         assert!((1..=4).contains(&widgets.len()), "{name} {widgets:?}");
         let depth = depth_along_diagonal(&mesh, &widgets);
-        assert!(depth > 1.0 && depth < 5.0, "{name} {depth} {widgets:?}");
+        // Measured: 3.1 to 3.3; the spike, all but a point of which is one homogeneous region, 1.3.
+        let least = if name == "spike" { 0.5 } else { 2.5 };
+        assert!(depth > least && depth < 4.0, "{name} {depth} {widgets:?}");
         assert!(widgets.iter().all(|w| w.extinction > 0.0 && w.extinction.is_finite()));
         assert!(widgets.windows(2).all(|w| w[0].color != w[1].color));
     }
