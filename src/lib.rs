@@ -4,6 +4,8 @@ pub mod error;
 pub mod gpu;
 pub mod image;
 pub mod mesh;
+pub mod oracle;
+pub mod plan;
 pub mod renderer;
 pub mod scene;
 pub mod space;

@@ -1,0 +1,3 @@
+//! What a view of a mesh implies: integers and geometry, no colour.
+
+pub mod order;

@@ -1,0 +1,16 @@
+//! What several test files need.
+#![allow(dead_code, reason = "every test file uses a part of it")]
+
+pub mod boxes;
+pub mod npy;
+pub mod peer_scene;
+
+use std::path::PathBuf;
+
+/// The folder that an environment variable names; tests that need it are `#[ignore]`d, so that it is asked for.
+pub fn folder(variable: &str) -> PathBuf {
+    match std::env::var_os(variable) {
+        Some(folder) => folder.into(),
+        None => panic!("set {variable} to the folder that this test reads (it is ignored by default)"),
+    }
+}
