@@ -17,9 +17,14 @@ pub fn box_mesh(n: usize, min: DVec3, max: DVec3, fields: impl Fn(DVec3) -> [f64
     for cube in 0..n * n * n {
         let [x, y, z] = [cube % n, cube / n % n, cube / n / n];
         // One tetrahedron for each order of the three axes along which one walks from corner 000 to 111.
-        for (order, odd) in
-            [([0, 1, 2], false), ([1, 2, 0], false), ([2, 0, 1], false), ([0, 2, 1], true), ([1, 0, 2], true), ([2, 1, 0], true)]
-        {
+        for (order, odd) in [
+            ([0, 1, 2], false),
+            ([1, 2, 0], false),
+            ([2, 0, 1], false),
+            ([0, 2, 1], true),
+            ([1, 0, 2], true),
+            ([2, 1, 0], true),
+        ] {
             let mut at = [x, y, z];
             let mut tet = [0u32; 4];
             for (step, id) in tet.iter_mut().enumerate() {
@@ -54,7 +59,8 @@ pub fn tet_mesh(points: &[DVec3], tets: Vec<[u32; 4]>, fields: impl Fn(DVec3) ->
     }
 }
 
-/// Length of the part of a ray (`t >= near`, in units of `direction`) inside the box.
+/// Length of the part of a ray (`t >= near`, in units of `direction`) inside the box. A ray
+/// in the plane of a side belongs to the box at its lower side, as if moved up all axes by an infinitesimal.
 pub fn chord(origin: DVec3, direction: DVec3, near: f64, min: DVec3, max: DVec3) -> f64 {
     let (a, b) = ((min - origin) / direction, (max - origin) / direction);
     let (mut enter, mut exit) = (near, f64::INFINITY);
@@ -62,7 +68,7 @@ pub fn chord(origin: DVec3, direction: DVec3, near: f64, min: DVec3, max: DVec3)
         if direction[axis] != 0.0 {
             enter = enter.max(a[axis].min(b[axis]));
             exit = exit.min(a[axis].max(b[axis]));
-        } else if origin[axis] < min[axis] || origin[axis] > max[axis] {
+        } else if origin[axis] < min[axis] || origin[axis] >= max[axis] {
             return 0.0;
         }
     }

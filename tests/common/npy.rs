@@ -12,15 +12,20 @@ pub fn rgba(path: &Path) -> Image {
     let mut archive = zip::ZipArchive::new(file).expect("a zip archive");
     let mut bytes = Vec::new();
     archive.by_name("rgba.npy").expect("an array named rgba").read_to_end(&mut bytes).expect("whole data");
-    let (shape, data) = f32s(&bytes);
+    let (shape, data) = parse(&bytes);
     let [height, width, 4] = shape[..] else { panic!("not height x width x 4: {shape:?}") };
     let pixels: Vec<[f32; 4]> = data.chunks_exact(4).map(|p| [p[0], p[1], p[2], p[3]]).collect();
     assert_eq!(pixels.len(), width * height);
     Image { width: width as u32, height: height as u32, pixels }
 }
 
+/// The values of an `.npy` file.
+pub fn f32s(path: &Path) -> Vec<f32> {
+    parse(&std::fs::read(path).unwrap_or_else(|e| panic!("{e}: {}", path.display()))).1
+}
+
 /// Shape and values of an `.npy` file of version 1.
-fn f32s(bytes: &[u8]) -> (Vec<usize>, Vec<f32>) {
+fn parse(bytes: &[u8]) -> (Vec<usize>, Vec<f32>) {
     assert_eq!(&bytes[..7], b"\x93NUMPY\x01", "an npy file of version 1");
     let start = 10 + usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
     let header = std::str::from_utf8(&bytes[10..start]).expect("a readable header");
