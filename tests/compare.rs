@@ -134,6 +134,8 @@ fn failed_writes_leave_nothing_behind() {
         Image::new(0, 0).write(&folder.path().join("a.exr"), PngEncoding::Srgb),
         Err(Error::Write { .. })
     ));
+    let short = Image { pixels: vec![], ..picture() };
+    assert!(matches!(short.write(&folder.path().join("a.exr"), PngEncoding::Srgb), Err(Error::Write { .. })));
     let nowhere = folder.path().join("none").join("image.png");
     assert!(matches!(picture().write(&nowhere, PngEncoding::Srgb), Err(Error::Write { .. })));
     assert_eq!(std::fs::read_dir(folder.path()).expect("listed").count(), 0);
@@ -152,6 +154,20 @@ fn garbled_files_are_refused() {
             assert!(matches!(Image::read(&path), Err(Error::Malformed { .. })), "{name} of {length} bytes");
         }
     }
+}
+
+#[test]
+fn absurd_sizes_are_refused_before_they_are_allocated() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("image.png");
+    picture().write(&path, PngEncoding::Srgb).expect("written");
+    let mut bytes = std::fs::read(&path).expect("read");
+    bytes[16..24].copy_from_slice(&[0x7f, 0xff, 0xff, 0xff, 0x7f, 0xff, 0xff, 0xff]);
+    let mut crc = flate2::Crc::new();
+    crc.update(&bytes[12..29]);
+    bytes[29..33].copy_from_slice(&crc.sum().to_be_bytes());
+    std::fs::write(&path, bytes).expect("written");
+    assert!(matches!(Image::read(&path), Err(Error::Malformed { .. })));
 }
 
 #[test]

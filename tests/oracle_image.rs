@@ -66,6 +66,7 @@ fn chord_error(mesh: TetMesh, extinction: f64) -> f64 {
             let length = chord(ray.origin, ray.direction, camera.near_depth(diagonal), MIN, MAX);
             let want = 1.0 - (-extinction * length).exp();
             let [red, .., alpha] = view.pixel(&transfer, [0.0; 4], position);
+            assert!(red.is_finite() && alpha.is_finite(), "{camera:?} {position:?}");
             worst = worst.max((alpha - want).abs()).max((red - want).abs());
         }
     }

@@ -1,6 +1,8 @@
 //! The oracle against references that another program computed in f64: every tetrahedron clipped against every ray,
 //! exact order, split at the nodes, 8-point Gauss.
 
+#![expect(clippy::print_stdout, reason = "what was measured, for `--nocapture`")]
+
 mod common;
 
 use std::path::Path;

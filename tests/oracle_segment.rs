@@ -1,6 +1,8 @@
 //! The oracle's quadrature of one segment against values computed with 34 digits by another method (closed forms for
 //! the depth, fixed collocation panels for the colour).
 
+#![expect(clippy::print_stdout, reason = "what was measured, for `--nocapture`")]
+
 mod common;
 
 use serde::Deserialize;
@@ -95,7 +97,12 @@ impl Case {
             true if got.tau >= OPAQUE_DEPTH => 0.0,
             _ => (got.tau - self.expect.tau).abs() / self.expect.tau.max(1.0),
         };
-        colors.max(opacity).max(tau)
+        // `max` would pass over NaN.
+        if (opacity + tau + got.color.iter().sum::<f64>()).is_finite() {
+            colors.max(opacity).max(tau)
+        } else {
+            f64::INFINITY
+        }
     }
 }
 
@@ -109,7 +116,7 @@ fn disagreements(text: &str, distort: f64) -> (usize, Vec<(u32, Vec<String>, f64
         let got = integrate(&transfer, [sf, gf], [sb, gb], length * (1.0 + distort), 1e-11);
         let error = case.error(&got);
         (checked, worst) = (checked + 1, worst.max(error));
-        if !(error <= LIMIT) {
+        if error > LIMIT {
             bad.push((case.id, case.tags, error));
         }
     }

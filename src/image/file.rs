@@ -20,11 +20,18 @@ pub enum PngEncoding {
     Linear,
 }
 
+/// Larger images are taken for garbled headers: 16384 x 16384 fill 4 GiB.
+const MOST_PIXELS: u64 = 1 << 28;
+
 impl Image {
     /// Writes a `.png` or `.exr` file, whole or not at all. A PNG cannot hold emission beyond opacity: there colours
     /// are clamped to 1 and fully transparent pixels are black.
     pub fn write(&self, path: &Path, encoding: PngEncoding) -> Result<()> {
         let format = Format::of(path)?;
+        if self.pixels.len() as u64 != u64::from(self.width) * u64::from(self.height) {
+            let [pixels, width, height] = [self.pixels.len() as u64, self.width.into(), self.height.into()];
+            return Err(Error::write(path, format!("{pixels} pixels are no image of {width}x{height}")));
+        }
         let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let mut builder = tempfile::Builder::new();
         #[cfg(unix)]
@@ -105,12 +112,21 @@ impl Format {
     }
 }
 
+/// Refuses what could not be held, before it is allocated.
+fn check_size(path: &Path, width: u32, height: u32) -> Result<()> {
+    match u64::from(width) * u64::from(height) {
+        0..=MOST_PIXELS => Ok(()),
+        _ => Err(Error::malformed(path, format!("an image of {width}x{height} pixels is beyond what can be read"))),
+    }
+}
+
 fn read_png(path: &Path, file: BufReader<File>) -> Result<Image> {
     let malformed = |e: png::DecodingError| Error::malformed(path, format!("not a readable PNG ({e})"));
     let mut decoder = png::Decoder::new(file);
     decoder.set_transformations(png::Transformations::EXPAND | png::Transformations::ALPHA);
     let mut reader = decoder.read_info().map_err(malformed)?;
     let linear = reader.info().srgb.is_none() && reader.info().gama_chunk.is_some_and(|g| g.into_value() == 1.0);
+    check_size(path, reader.info().width, reader.info().height)?;
     let size = reader.output_buffer_size().ok_or_else(|| Error::malformed(path, "too large for this machine"))?;
     let mut bytes = vec![0; size];
     let frame = reader.next_frame(&mut bytes).map_err(malformed)?;
@@ -136,6 +152,7 @@ fn read_exr(path: &Path, file: BufReader<File>) -> Result<Image> {
     let malformed = |e: image::ImageError| Error::malformed(path, format!("not a readable RGB or RGBA OpenEXR ({e})"));
     let decoder = ImageReader::with_format(file, ImageFormat::OpenExr).into_decoder().map_err(malformed)?;
     let (width, height) = decoder.dimensions();
+    check_size(path, width, height)?;
     let pixels = image::DynamicImage::from_decoder(decoder).map_err(malformed)?.into_rgba32f();
     Ok(Image { width, height, pixels: pixels.pixels().map(|p| p.0).collect() })
 }
