@@ -11,37 +11,22 @@ use std::time::Instant;
 
 use common::peer_scene::PeerScene;
 use tetralux::image::{Comparison, Image};
+use tetralux::mesh::{ArrayChoice, ReadOptions};
 use tetralux::oracle::Oracle;
 use tetralux::renderer::Frame;
 use tetralux::scene::TransferFunction;
-use tetralux::tet::TetMesh;
+use tetralux::tet::{FieldChoice, HexSplit, TetMesh};
 
 /// Issue 2: to 1e-4 a channel, except where the silhouette passes through the pixel.
 const LIMIT: f64 = 1e-4;
 /// A pixel is explained when moving its ray by this much changes it as much.
 const SHIFT: f64 = 1e-3;
 
-/// The mesh as `NAME.{points,tets,scalar}.npy` of the folder that `TETRALUX_NPY` names, all as f32.
-fn mesh(name: &Path) -> TetMesh {
-    let folder = common::folder("TETRALUX_NPY");
-    let read = |part: &str| common::npy::f32s(&folder.join(name).with_extension(format!("{part}.npy")));
-    let points: Vec<glam::DVec3> =
-        read("points").chunks_exact(3).map(|p| glam::Vec3::new(p[0], p[1], p[2]).as_dvec3()).collect();
-    let scalar = read("scalar");
-    let mut tets: Vec<[u32; 4]> =
-        read("tets").chunks_exact(4).map(|t| [t[0], t[1], t[2], t[3]].map(|v| v as u32)).collect();
-    let volume = |t: &[u32; 4]| {
-        let [a, b, c, d] = t.map(|v| points[v as usize]);
-        (b - a).cross(c - a).dot(d - a)
-    };
-    for tet in &mut tets {
-        if volume(tet) < 0.0 {
-            tet.swap(2, 3);
-        }
-    }
-    tets.retain(|tet| volume(tet) > 0.0);
-    let mut mesh = common::boxes::tet_mesh(&points, tets, |_| [0.0; 2]);
-    mesh.scalar = scalar.iter().map(|&s| f64::from(s)).collect();
+fn mesh(scene: &PeerScene, peers: &Path) -> TetMesh {
+    let arrays = ArrayChoice::One(Some(scene.array.clone()));
+    let read = tetralux::mesh::read(&peers.join(&scene.mesh), &ReadOptions { arrays, ..Default::default() });
+    let (mesh, _) = TetMesh::new(read.expect("a mesh"), &FieldChoice::parse(&scene.array), HexSplit::default())
+        .expect("tetrahedra");
     mesh
 }
 
@@ -49,7 +34,7 @@ fn agrees(name: &str) {
     let peers = common::folder("TETRALUX_PEERS");
     let scene = PeerScene::read(&peers, name);
     let want = common::npy::rgba(&peers.join("reference").join(format!("{name}_v0.npz")));
-    let oracle = Oracle::new(Arc::new(mesh(scene.mesh_name())));
+    let oracle = Oracle::new(Arc::new(mesh(&scene, &peers)));
     let (camera, transfer) = (scene.camera(0), scene.transfer());
     let frame = Frame { camera: &camera, transfer: &transfer, size: scene.image, background: [0.0; 4] };
     let start = Instant::now();

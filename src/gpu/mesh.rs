@@ -76,7 +76,7 @@ impl MeshBuffers {
             return Err(Error::Device(format!(
                 "the mesh has {vertex_count} vertices, {} MiB on the device, and '{}' binds at most {} MiB at once; \
                  render with --device oracle, or a coarser mesh",
-                vertex_count * 16 >> 20,
+                (vertex_count * 16) >> 20,
                 gpu.info.name,
                 gpu.max_binding >> 20
             )));
@@ -132,7 +132,8 @@ pub fn ascending(tet: [u32; 4], positions: &[[f32; 4]]) -> ([u32; 4], f32) {
         glam::DVec3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2]))
     };
     let six_volumes = |t: [u32; 4]| (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).dot(at(t[3]) - at(t[0]));
-    if !(six_volumes(tet) > 0.0) {
+    let volume = six_volumes(tet);
+    if volume <= 0.0 || volume.is_nan() {
         let mut sorted = tet;
         sorted.sort_unstable();
         return (sorted, 0.0);

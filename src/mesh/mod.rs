@@ -5,7 +5,15 @@
 mod cells;
 mod choice;
 mod file;
+pub mod legacy;
 mod notes;
+pub mod nrrd;
+pub mod plot3d;
+pub mod raw;
+mod sample_type;
+pub mod synth;
+mod volume;
+pub mod write;
 mod xml;
 
 use std::path::{Path, PathBuf};
@@ -28,14 +36,20 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Mesh> {
     }
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
     match extension.as_str() {
-        // LEAD: the arms of legacy, plot3d, raw and nrrd go here.
         "vtu" | "pvtu" | "vti" | "pvti" | "vtr" | "pvtr" | "vts" | "pvts" | "pvd" => xml::read(path, options),
+        "vtk" => legacy::read(path, options),
+        "nrrd" | "nhdr" => nrrd::read(path, options),
+        "raw" => raw::read(path, options),
+        "bin" | "xyz" | "x" | "g" | "grd" | "p3d" => plot3d::read(path, options),
+        _ if options.dims.is_some() => raw::read(path, options),
+        _ if options.solution.is_some() => plot3d::read(path, options),
         _ => Err(Error::Asked(format!("unknown mesh format; known extensions: {EXTENSIONS}: {}", path.display()))),
     }
 }
 
 /// What [`read`] knows, for its error message.
-const EXTENSIONS: &str = "vtu, pvtu, vti, pvti, vtr, pvtr, vts, pvts, pvd";
+const EXTENSIONS: &str =
+    "vtu, pvtu, vti, pvti, vtr, pvtr, vts, pvts, pvd, vtk, nrrd, nhdr, raw, and bin, xyz, x, g, grd, p3d (PLOT3D)";
 
 /// A cell's shape. Quadratic cells are read by their corner nodes, in the linear shape's order.
 ///

@@ -19,11 +19,6 @@ pub fn rgba(path: &Path) -> Image {
     Image { width: width as u32, height: height as u32, pixels }
 }
 
-/// The values of an `.npy` file.
-pub fn f32s(path: &Path) -> Vec<f32> {
-    parse(&std::fs::read(path).unwrap_or_else(|e| panic!("{e}: {}", path.display()))).1
-}
-
 /// Shape and values of an `.npy` file of version 1.
 fn parse(bytes: &[u8]) -> (Vec<usize>, Vec<f32>) {
     assert_eq!(&bytes[..7], b"\x93NUMPY\x01", "an npy file of version 1");

@@ -11,7 +11,7 @@ use tetralux::scene::{Camera, Curve, CurveNode, Projection, TransferFunction};
 pub struct PeerScene {
     pub name: String,
     /// Relative to the folder that holds `scenes/`.
-    mesh: PathBuf,
+    pub mesh: PathBuf,
     /// The field's name.
     pub array: String,
     /// Width and height.
@@ -40,11 +40,6 @@ impl PeerScene {
         let path = folder.join("scenes").join(name).with_extension("json");
         let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{e}: {}", path.display()));
         serde_json::from_str(&text).unwrap_or_else(|e| panic!("{e}: {}", path.display()))
-    }
-
-    /// The mesh file's name, without folder.
-    pub fn mesh_name(&self) -> &Path {
-        Path::new(self.mesh.file_name().expect("a file name"))
     }
 
     /// One of the eight cameras; `near` and `far` of the file served depth buffers, not the picture.
