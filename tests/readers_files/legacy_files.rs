@@ -93,7 +93,9 @@ fn only_wanted_arrays_are_decoded() {
     assert_eq!(names(Some("velocity:mag")), ["velocity"]);
     assert_eq!(names(Some("with space")), ["with space"]);
     assert_eq!(names(None), ["temperature"]);
-    assert!(names(Some("nothing")).is_empty());
+    let nothing = ReadOptions { arrays: ArrayChoice::One(Some("nothing".into())), ..Default::default() };
+    let message = legacy::read(&path, &nothing).unwrap_err().to_string();
+    assert!(message.contains("`nothing`") && message.contains("`temperature`"), "{message}");
     // An array that nobody wants may hold anything.
     let text = "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\nPOINT_DATA 8\n\
                 SCALARS bad float\nLOOKUP_TABLE default\n1 2 3 4 5 6 7 x\nSCALARS good float 1\nLOOKUP_TABLE default\n\
