@@ -51,7 +51,7 @@ fn main(@builtin(local_invocation_index) lane: u32) {
     let chunks = (frame.tet_count + frame.chunk_cells - 1u) / frame.chunk_cells;
     for (var chunk = lane; chunk < chunks; chunk += 256u) {
         let first_cell = chunk * frame.chunk_cells;
-        draws[chunk * 5u] = min(max(before, first_cell) - first_cell, frame.chunk_cells) * 12u;
+        draws[chunk * 5u] = min(max(before, first_cell) - first_cell, frame.chunk_cells) * 6u;
         draws[chunk * 5u + 1u] = 1u;
         draws[chunk * 5u + 2u] = 0u;
         draws[chunk * 5u + 3u] = 0u;

@@ -2,12 +2,16 @@
 #import shared/counts
 #import shared/tets
 
-// Projects the surviving cells of one chunk, in the order of drawing: class, silhouette and thick vertex (Shirley &
-// Tuchman 1990), in the form of Radon weights (optics.md 6.2): one formula for all classes and degeneracies, no 2D
-// intersection, no difference of depths.
+// Projects the surviving cells of one chunk, in the order of drawing: class, outline and thick vertex (Shirley & Tuchman
+// 1990) in the form of Radon weights (optics.md 6.2): one formula for all classes and degeneracies, no 2D intersection,
+// no difference of depths.
 //
-// A cell becomes 5 corners, drawn as a fan of 4 triangles around the last; of class 1 (a triangle on screen) the fourth
-// is empty.
+// Over the fan of 3 or 4 triangles around the thick vertex, every quantity is affine in each triangle. Instead of the
+// fan, its outline is drawn, 1 or 2 triangles, and the fan's pieces are told apart per fragment: the tent that is 0 on
+// the outline and 1 at the thick vertex is the minimum of affine functions, one an edge, and
+//   thickness = tent x thickness at the apex,   back value = front value + tent x their difference at the apex
+// (or the other way round), where the side that is one plane over the triangle is interpolated. Less than half the
+// triangles, all of whose corners are vertices of the mesh: nothing can crack or fold over.
 
 @group(1) @binding(0) var<storage, read> vertices: array<vec4f>;
 @group(1) @binding(1) var<storage, read> gradients: array<f32>;
@@ -16,8 +20,10 @@
 @group(3) @binding(2) var<storage, read> order: array<u32>; // cells, back to front
 @group(3) @binding(3) var<storage, read> projected: array<vec4f>;
 @group(3) @binding(4) var<storage, read> projected_gradients: array<f32>;
-// Per corner: clip xy; 1/z front, 1/z front - 1/z back; scalar/z front, back; with BIVARIATE gradient/z front, back.
-@group(3) @binding(5) var<storage, read_write> corners: array<vec2f>;
+// Four corners a cell; per corner: clip xy; 1/z and scalar/z; three tent functions; at the apex, the thickness (negative
+// where the front is the interpolated side) and the change of scalar/z from the interpolated to the other side; with
+// BIVARIATE gradient/z and its change.
+@group(3) @binding(5) var<storage, read_write> corners: array<f32>;
 
 struct Chunk {
     first_cell: u32,
@@ -38,74 +44,57 @@ fn face_weight(a: vec3f, ab: vec3f, ac: vec3f) -> f32 {
     return dot(normal, frame.forward);
 }
 
-fn signed_area(a: vec2f, b: vec2f, c: vec2f) -> f32 {
-    let u = b - a;
-    let v = c - a;
-    return u.x * v.y - u.y * v.x;
-}
-
-// The outline, counter-clockwise on screen: the vertices of one sign and those of the other alternate; where three
-// share a sign, the fourth lies inside and the first is named twice.
-fn outline(front: vec4<bool>, count: u32, tet: vec4u) -> vec4u {
-    var ring: vec4u;
+// Corner numbers around the outline. Class 1 (three vertices of one sign, the fourth behind or before them): the three,
+// the first twice. Class 2: front, back, front, back: the outline is cut along the front edge, so that the front is one
+// plane over each triangle.
+fn outline(front: vec4<bool>, count: u32) -> vec4u {
     if count == 2u {
         if front.x == front.y {
-            ring = tet.xzyw;
-        } else if front.x == front.z {
-            ring = tet.xyzw;
-        } else {
-            ring = tet.xywz;
+            return select(vec4u(2u, 0u, 3u, 1u), vec4u(0u, 2u, 1u, 3u), front.x);
         }
-    } else {
-        let odd = count == 1u; // the vertex inside is the only one in front, or the only one behind
-        if front.x == odd && front.y != odd {
-            ring = tet.yzwy;
-        } else if front.y == odd && front.x != odd {
-            ring = tet.xzwx;
-        } else if front.z == odd {
-            ring = tet.xywx;
-        } else {
-            ring = tet.xyzx;
+        if front.x == front.z {
+            return select(vec4u(1u, 0u, 3u, 2u), vec4u(0u, 1u, 2u, 3u), front.x);
         }
+        return select(vec4u(1u, 0u, 2u, 3u), vec4u(0u, 1u, 3u, 2u), front.x);
     }
-    let a = projected[ring.x].xy;
-    let b = projected[ring.y].xy;
-    let c = projected[ring.z].xy;
-    var area = signed_area(a, b, c);
-    if count == 2u {
-        let d = projected[ring.w].xy;
-        area = (c.x - a.x) * (d.y - b.y) - (c.y - a.y) * (d.x - b.x);
-        if area < 0.0 {
-            ring = ring.xwzy;
-        }
-    } else if area < 0.0 {
-        ring = ring.xzyx;
+    let odd = count == 1u; // the vertex inside is the only one in front, or the only one behind
+    if front.x == odd && front.y != odd {
+        return vec4u(1u, 2u, 3u, 1u);
     }
-    return ring;
+    if front.y == odd && front.x != odd {
+        return vec4u(0u, 2u, 3u, 0u);
+    }
+    if front.z == odd {
+        return vec4u(0u, 1u, 3u, 0u);
+    }
+    return vec4u(0u, 1u, 2u, 0u);
 }
 
-fn put_corner(place: u32, corner: u32, xy: vec2f, depths: vec2f, scalars: vec2f, g: vec2f) {
-    if BIVARIATE {
-        let at = place * 20u + corner * 4u;
-        corners[at] = xy;
-        corners[at + 1u] = depths;
-        corners[at + 2u] = scalars;
-        corners[at + 3u] = g;
-    } else {
-        let at = place * 15u + corner * 3u;
-        corners[at] = xy;
-        corners[at + 1u] = depths;
-        corners[at + 2u] = scalars;
-    }
+const FLOATS: u32 = 9u;
+const BIVARIATE_FLOATS: u32 = 11u;
+
+struct Apex {
+    thickness: f32,
+    scalar_change: f32,
+    gradient_change: f32,
 }
 
-fn put_outline(place: u32, corner: u32, vertex: u32) {
+fn put_corner(place: u32, corner: u32, vertex: u32, tent: vec3f, apex: Apex) {
     let p = projected[vertex];
-    var g = 0.0;
+    let at = (place * 4u + corner) * select(FLOATS, BIVARIATE_FLOATS, BIVARIATE);
+    corners[at] = p.x;
+    corners[at + 1u] = p.y;
+    corners[at + 2u] = p.z;
+    corners[at + 3u] = p.w;
+    corners[at + 4u] = tent.x;
+    corners[at + 5u] = tent.y;
+    corners[at + 6u] = tent.z;
+    corners[at + 7u] = apex.thickness;
+    corners[at + 8u] = apex.scalar_change;
     if BIVARIATE {
-        g = projected_gradients[vertex];
+        corners[at + 9u] = projected_gradients[vertex];
+        corners[at + 10u] = apex.gradient_change;
     }
-    put_corner(place, corner, p.xy, vec2f(p.z, 0.0), p.ww, vec2f(g));
 }
 
 @compute @workgroup_size(256)
@@ -141,28 +130,43 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     // A cell seen exactly edge-on has no weight at all: it gets a thickness of zero.
     let least = 1e-37;
     var scales = vec2f(1.0 / max(dot(frame.forward, point), least));
-    var inverse_front = front_sum * scales.x;
     if !PERSPECTIVE {
         scales = 1.0 / max(vec2f(front_sum, back_sum), vec2f(least));
-        inverse_front = 1.0;
     }
-    var thickness = 0.0;
+    var apex: Apex;
     if front_sum > least && back_sum > least {
-        thickness = abs(volume) * scales.x;
+        apex.thickness = abs(volume) * scales.x;
     }
-    let xy = vec2f(dot(frame.x_row, point), dot(frame.y_row, point)) * scales.x;
     let scalars = vec4f(p0.w, p1.w, p2.w, p3.w);
-    var thick_gradients = vec2f(0.0);
+    apex.scalar_change = dot(back_weights, scalars) * scales.y - dot(front_weights, scalars) * scales.x;
     if BIVARIATE {
         let g = vec4f(gradients[tet.x], gradients[tet.y], gradients[tet.z], gradients[tet.w]);
-        thick_gradients = vec2f(dot(front_weights, g), dot(back_weights, g)) * scales;
+        apex.gradient_change = dot(back_weights, g) * scales.y - dot(front_weights, g) * scales.x;
     }
     let count = u32(front.x) + u32(front.y) + u32(front.z) + u32(front.w);
-    let ring = outline(front, count, tet);
-    put_outline(place, 0u, ring.x);
-    put_outline(place, 1u, ring.y);
-    put_outline(place, 2u, ring.z);
-    put_outline(place, 3u, ring.w);
-    put_corner(place, 4u, xy, vec2f(inverse_front, thickness),
-               vec2f(dot(front_weights, scalars), dot(back_weights, scalars)) * scales, thick_gradients);
+    if count == 1u {
+        // The back is one plane, the front three.
+        apex.scalar_change = -apex.scalar_change;
+        apex.gradient_change = -apex.gradient_change;
+    } else {
+        apex.thickness = -apex.thickness;
+    }
+    // The apex as a mean of the corners on screen; a tent function is 1 / (share of its corner) there and 0 elsewhere.
+    var shares = select(front_weights * scales.x, back_weights * scales.y, count == 1u);
+    if PERSPECTIVE {
+        shares *= vec4f(dot(frame.forward, v0), dot(frame.forward, v1), dot(frame.forward, v2), dot(frame.forward, v3));
+    }
+    let peaks = 1.0 / max(shares, vec4f(1e-7));
+    let ring = outline(front, count);
+    if count == 2u {
+        put_corner(place, 0u, tet[ring.x], vec3f(peaks[ring.x], 0.0, 2.0), apex);
+        put_corner(place, 1u, tet[ring.y], vec3f(0.0, 0.0, 2.0), apex);
+        put_corner(place, 2u, tet[ring.z], vec3f(0.0, peaks[ring.z], 2.0), apex);
+        put_corner(place, 3u, tet[ring.w], vec3f(0.0, 0.0, 2.0), apex);
+    } else {
+        put_corner(place, 0u, tet[ring.x], vec3f(peaks[ring.x], 0.0, 0.0), apex);
+        put_corner(place, 1u, tet[ring.y], vec3f(0.0, peaks[ring.y], 0.0), apex);
+        put_corner(place, 2u, tet[ring.z], vec3f(0.0, 0.0, peaks[ring.z]), apex);
+        put_corner(place, 3u, tet[ring.w], vec3f(peaks[ring.x], 0.0, 0.0), apex);
+    }
 }

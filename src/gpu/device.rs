@@ -188,7 +188,6 @@ impl Gpu {
         entries: [&str; 2],
         constants: &[(&str, f64)],
         target: wgpu::ColorTargetState,
-        cull_mode: Option<wgpu::Face>,
         vertex_buffers: &[Option<wgpu::VertexBufferLayout<'_>>],
     ) -> Result<DrawKernel> {
         let module = Module::new(name)?;
@@ -206,7 +205,7 @@ impl Gpu {
                 compilation_options: options.clone(),
                 buffers: vertex_buffers,
             },
-            primitive: wgpu::PrimitiveState { cull_mode, ..Default::default() },
+            primitive: wgpu::PrimitiveState::default(),
             depth_stencil: None,
             multisample: wgpu::MultisampleState::default(),
             fragment: Some(wgpu::FragmentState {

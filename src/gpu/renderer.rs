@@ -17,7 +17,7 @@ use crate::renderer::{BufferSize, Frame, Rendered, Renderer, Settings, SortPlace
 use crate::scene::{Camera, Projection, TransferFunction};
 use crate::tet::TetMesh;
 
-/// Cells projected and drawn at a time: their corners (120 or 160 bytes a cell) are made anew for each chunk.
+/// Cells projected and drawn at a time: their corners (4 of 36 or 44 bytes a cell) are made anew for each chunk.
 const CHUNK_CELLS: u32 = 65_536;
 
 /// Parts in which the tetrahedra can be bound (`shared/tets.wgsl`).
@@ -101,7 +101,7 @@ impl GpuRenderer {
             })
             .collect();
         let cells = CellBuffers::new(&gpu, &buffers);
-        let indices = fan_indices();
+        let indices = outline_indices();
         let usage = wgpu::BufferUsages::INDEX | wgpu::BufferUsages::COPY_DST;
         let index_buffer = gpu.buffer("indices", indices.len() as u64 * 4, usage);
         gpu.write(&index_buffer, 0, bytemuck::cast_slice(&indices));
@@ -166,17 +166,18 @@ impl GpuRenderer {
             write_mask: wgpu::ColorWrites::ALL,
         };
         let written = wgpu::ColorTargetState { blend: None, ..blended.clone() };
-        let attributes = wgpu::vertex_attr_array![0 => Float32x2, 1 => Float32x2, 2 => Float32x2, 3 => Float32x2];
-        let (entries, pairs) = match transfer.bivariate {
-            true => (["vertex_bivariate", "fragment_bivariate"], 4),
-            false => (["vertex", "fragment"], 3),
+        let attributes = wgpu::vertex_attr_array![
+            0 => Float32x2, 1 => Float32x2, 2 => Float32x3, 3 => Float32x2, 4 => Float32x2
+        ];
+        let (entries, used) = match transfer.bivariate {
+            true => (["vertex_bivariate", "fragment_bivariate"], 5),
+            false => (["vertex", "fragment"], 4),
         };
         let corners = wgpu::VertexBufferLayout {
-            array_stride: pairs as u64 * 8,
+            array_stride: attributes[used - 1].offset + attributes[used - 1].format.size(),
             step_mode: wgpu::VertexStepMode::Vertex,
-            attributes: &attributes[..pairs],
+            attributes: &attributes[..used],
         };
-        let front = Some(wgpu::Face::Back);
         self.scene = Some(SceneState {
             perspective,
             vertices: self.gpu.kernel("vertices", &constants)?,
@@ -184,8 +185,8 @@ impl GpuRenderer {
             compact: self.gpu.kernel("compact", &constants)?,
             keys: self.gpu.kernel("keys", &constants)?,
             project: self.gpu.kernel("project", &constants)?,
-            raster: self.gpu.draw_kernel("raster", entries, &constants, blended, front, &[Some(corners)])?,
-            resolve: self.gpu.draw_kernel("resolve", ["vertex", "fragment"], &constants, written, None, &[])?,
+            raster: self.gpu.draw_kernel("raster", entries, &constants, blended, &[Some(corners)])?,
+            resolve: self.gpu.draw_kernel("resolve", ["vertex", "fragment"], &constants, written, &[])?,
             transfer,
         });
         Ok(())
@@ -429,7 +430,7 @@ impl CellBuffers {
             draws: gpu.buffer("draws", chunks * 20, STORAGE | wgpu::BufferUsages::INDIRECT),
             projected: gpu.buffer("projected", vertices * 16, STORAGE),
             projected_gradients: gpu.buffer("projected_gradients", 16, STORAGE),
-            corners: gpu.buffer("corners", u64::from(CHUNK_CELLS) * 160, STORAGE | wgpu::BufferUsages::VERTEX),
+            corners: gpu.buffer("corners", u64::from(CHUNK_CELLS) * 4 * 44, STORAGE | wgpu::BufferUsages::VERTEX),
             keys: gpu.buffer("keys", tets * 4, copied),
             order: gpu.buffer("order", tets * 4, copied | wgpu::BufferUsages::COPY_DST),
         }
@@ -442,11 +443,9 @@ impl CellBuffers {
     }
 }
 
-/// A fan around the thick vertex (the fifth), counter-clockwise.
-fn fan_indices() -> Vec<u32> {
-    (0..CHUNK_CELLS)
-        .flat_map(|cell| [4, 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0].map(|corner: u32| cell * 5 + corner))
-        .collect()
+/// Each cell's outline as two triangles.
+fn outline_indices() -> Vec<u32> {
+    (0..CHUNK_CELLS).flat_map(|cell| [0, 1, 2, 0, 2, 3].map(|corner: u32| cell * 4 + corner)).collect()
 }
 
 /// Refuses meshes beyond the device, with the numbers.
