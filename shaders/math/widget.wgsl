@@ -8,7 +8,8 @@
 fn gaussian_mean(p_front: real2, p_back: real2) -> real {
     let step = p_back - p_front;
     let extent = length(step);
-    let along = step / max(extent, 1e-30);
+    // A point has no direction, yet a distance: any direction splits it into `v` and `q`.
+    let along = select(real2(1.0, 0.0), step / max(extent, 1e-18), extent > 1e-18);
     // From the end nearer to the centre: rounding is relative to its coordinates.
     let from_back = dot(p_back, p_back) < dot(p_front, p_front);
     let near_end = select(p_front, -p_back, from_back);

@@ -17,8 +17,8 @@ use crate::renderer::{BufferSize, Frame, Rendered, Renderer, Settings, SortPlace
 use crate::scene::{Camera, Projection, TransferFunction};
 use crate::tet::TetMesh;
 
-/// Cells projected and drawn at a time: their corners (4 of 36 or 44 bytes a cell) are made anew for each chunk.
-const CHUNK_CELLS: u32 = 65_536;
+/// Bytes of a cell's four corners with gradients.
+const CORNER_BYTES: u64 = 4 * 44;
 
 /// Parts in which the tetrahedra can be bound (`shared/tets.wgsl`).
 const MOST_PARTS: usize = 4;
@@ -32,6 +32,7 @@ pub struct GpuRenderer {
     settings: Settings,
     buffers: MeshBuffers,
     ranges: Vec<TetRange>,
+    chunk_cells: u32,
     range_uniforms: Vec<wgpu::Buffer>,
     chunk_uniforms: Vec<wgpu::Buffer>,
     cells: CellBuffers,
@@ -94,14 +95,15 @@ impl GpuRenderer {
                 gpu.uniform("range", &[range])
             })
             .collect();
+        let chunk_cells = chunk_cells(buffers.tet_count);
         let chunk_uniforms = (0..buffers.tet_count)
-            .step_by(CHUNK_CELLS as usize)
+            .step_by(chunk_cells as usize)
             .map(|first_cell| {
-                gpu.uniform("chunk", &[layout::Chunk { first_cell, cells: CHUNK_CELLS, ..Default::default() }])
+                gpu.uniform("chunk", &[layout::Chunk { first_cell, cells: chunk_cells, ..Default::default() }])
             })
             .collect();
-        let cells = CellBuffers::new(&gpu, &buffers);
-        let indices = outline_indices();
+        let cells = CellBuffers::new(&gpu, &buffers, chunk_cells);
+        let indices = outline_indices(chunk_cells);
         let usage = wgpu::BufferUsages::INDEX | wgpu::BufferUsages::COPY_DST;
         let index_buffer = gpu.buffer("indices", indices.len() as u64 * 4, usage);
         gpu.write(&index_buffer, 0, bytemuck::cast_slice(&indices));
@@ -118,6 +120,7 @@ impl GpuRenderer {
             settings,
             buffers,
             ranges,
+            chunk_cells,
             range_uniforms,
             chunk_uniforms,
             cells,
@@ -279,7 +282,7 @@ impl GpuRenderer {
         let perspective = matches!(frame.camera.projection, Projection::Perspective { .. });
         self.prepare_scene(frame.transfer, perspective)?;
         self.prepare_target(frame.size)?;
-        self.write_frame(&frame_uniform(frame, &self.mesh, &self.buffers));
+        self.write_frame(&frame_uniform(frame, &self.mesh, &self.buffers, self.chunk_cells));
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let target = self.target.as_ref().ok_or_else(unprepared)?;
         let mut recorder = Recorder::new(&self.gpu, timed);
@@ -301,7 +304,7 @@ impl GpuRenderer {
         let mut load = wgpu::LoadOp::Clear(wgpu::Color { r: 0.0, g: 0.0, b: 0.0, a: 1.0 });
         for (chunk, uniform) in (0u64..).zip(&self.chunk_uniforms) {
             let resources = all.clone().with("chunk", uniform);
-            recorder.compute(&scene.project, &scene.project.bind(gpu, &resources)?, Work::Items(CHUNK_CELLS))?;
+            recorder.compute(&scene.project, &scene.project.bind(gpu, &resources)?, Work::Items(self.chunk_cells))?;
             recorder.draw(&scene.raster, &raster_groups, &target.blended, load, |pass| {
                 pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
                 pass.set_vertex_buffer(0, self.cells.corners.slice(..));
@@ -414,11 +417,11 @@ const BACK_TO_FRONT: wgpu::BlendState = wgpu::BlendState {
 };
 
 impl CellBuffers {
-    fn new(gpu: &Gpu, mesh: &MeshBuffers) -> Self {
+    fn new(gpu: &Gpu, mesh: &MeshBuffers, chunk_cells: u32) -> Self {
         let tets = u64::from(mesh.tet_count);
         let vertices = u64::from(mesh.vertex_count);
         let blocks = tets.div_ceil(256);
-        let chunks = tets.div_ceil(u64::from(CHUNK_CELLS));
+        let chunks = tets.div_ceil(u64::from(chunk_cells));
         let copied = STORAGE | wgpu::BufferUsages::COPY_SRC;
         let indirect = STORAGE | wgpu::BufferUsages::INDIRECT | wgpu::BufferUsages::COPY_SRC;
         Self {
@@ -430,7 +433,7 @@ impl CellBuffers {
             draws: gpu.buffer("draws", chunks * 20, STORAGE | wgpu::BufferUsages::INDIRECT),
             projected: gpu.buffer("projected", vertices * 16, STORAGE),
             projected_gradients: gpu.buffer("projected_gradients", 16, STORAGE),
-            corners: gpu.buffer("corners", u64::from(CHUNK_CELLS) * 4 * 44, STORAGE | wgpu::BufferUsages::VERTEX),
+            corners: gpu.buffer("corners", u64::from(chunk_cells) * CORNER_BYTES, STORAGE | wgpu::BufferUsages::VERTEX),
             keys: gpu.buffer("keys", tets * 4, copied),
             order: gpu.buffer("order", tets * 4, copied | wgpu::BufferUsages::COPY_DST),
         }
@@ -443,9 +446,15 @@ impl CellBuffers {
     }
 }
 
+/// Cells projected and drawn at a time; their corners are made anew for each chunk. An eighth of the mesh, so that the
+/// corners cost at most 22 bytes a tetrahedron of meshes above 131,072.
+fn chunk_cells(tets: u32) -> u32 {
+    (1u32 << (tets / 8).max(1).ilog2()).clamp(16_384, 262_144)
+}
+
 /// Each cell's outline as two triangles.
-fn outline_indices() -> Vec<u32> {
-    (0..CHUNK_CELLS).flat_map(|cell| [0, 1, 2, 0, 2, 3].map(|corner: u32| cell * 4 + corner)).collect()
+fn outline_indices(cells: u32) -> Vec<u32> {
+    (0..cells).flat_map(|cell| [0, 1, 2, 0, 2, 3].map(|corner: u32| cell * 4 + corner)).collect()
 }
 
 /// Refuses meshes beyond the device, with the numbers.
@@ -464,7 +473,7 @@ fn check_size(gpu: &Gpu, mesh: &MeshBuffers, ranges: &[TetRange]) -> Result<()> 
 }
 
 /// The frame as shaders see it: mesh space, the eye in two f32 parts.
-fn frame_uniform(frame: &Frame<'_>, mesh: &TetMesh, buffers: &MeshBuffers) -> layout::Frame {
+fn frame_uniform(frame: &Frame<'_>, mesh: &TetMesh, buffers: &MeshBuffers, chunk_cells: u32) -> layout::Frame {
     let camera: &Camera = frame.camera;
     let basis = camera.basis();
     let eye = mesh.mesh_from_data(camera.eye);
@@ -492,7 +501,7 @@ fn frame_uniform(frame: &Frame<'_>, mesh: &TetMesh, buffers: &MeshBuffers) -> la
         ray_scale_y: (-2.0 * half / height) as f32,
         ray_offset_x: (-half * aspect) as f32,
         ray_offset_y: half as f32,
-        chunk_cells: CHUNK_CELLS,
+        chunk_cells,
         background: frame.background,
     }
 }
