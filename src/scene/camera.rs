@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::space::Ray;
+use crate::space::{Bounds, Ray};
 
 /// How the view volume opens.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,6 +47,31 @@ pub struct Basis {
 }
 
 impl Camera {
+    /// A camera that looks at the middle of `bounds` (data space) from `direction` = (azimuth, elevation), radians: at
+    /// (0, 0) it stands on the +x side with z upwards. Its distance is such that the bounding sphere, shrunk by `zoom`,
+    /// touches the nearer borders of an image of `aspect` = width / height.
+    pub fn fit(bounds: &Bounds, aspect: f64, direction: [f64; 2], zoom: f64, projection: Projection) -> Self {
+        let [(sin_a, cos_a), (sin_e, cos_e)] = direction.map(f64::sin_cos);
+        let radius = 0.5 * bounds.diagonal();
+        let distance = match projection {
+            Projection::Perspective { fov_y } => {
+                let half_angle = ((0.5 * fov_y).tan() * aspect.min(1.0)).atan();
+                radius / zoom / half_angle.sin()
+            }
+            // Depth does not show, so the eye may stand safely outside.
+            Projection::Orthographic { .. } => 2.0 * radius,
+        };
+        let target = bounds.center();
+        Self {
+            eye: target + distance * DVec3::new(cos_e * cos_a, cos_e * sin_a, sin_e),
+            target,
+            // The derivative by elevation: upright at every elevation, the poles included.
+            up: DVec3::new(-sin_e * cos_a, -sin_e * sin_a, cos_e),
+            projection,
+            near: None,
+        }
+    }
+
     /// The view axes.
     pub fn basis(&self) -> Basis {
         let forward = (self.target - self.eye).normalize();

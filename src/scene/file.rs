@@ -1,0 +1,527 @@
+//! The scene file: which keys there are, what they may hold, and what a scene is once they have been checked.
+//!
+//! Nothing here knows a mesh: what depends on one (a fitted camera, normalised units) is kept as a choice and resolved by
+//! [`Scene::resolve`]. The format is described in `docs/scene.md`.
+
+use serde::Deserialize;
+
+use super::choice::{CameraChoice, Opening, Scene, TransferChoice, Units, Viewpoint};
+use super::document::{Document, Problem};
+use super::transfer::{Curve, CurveNode, TransferFunction, Widget, WidgetShape};
+use crate::error::Result;
+
+/// At most this many widgets: what the shaders hold.
+pub const MAX_WIDGETS: usize = 64;
+/// Longest side of an image, pixels.
+const MAX_SIDE: u32 = 32_768;
+/// Most pixels of an image: 4 GiB at 16 bytes each.
+const MAX_PIXELS: u64 = 1 << 28;
+
+type Checked<T> = Result<T, Problem>;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "snake_case")]
+struct SceneKeys {
+    units: Option<UnitsKey>,
+    #[serde(default)]
+    camera: CameraKeys,
+    #[serde(default)]
+    image: ImageKeys,
+    #[serde(default)]
+    field: FieldKeys,
+    transfer: Option<TransferKeys>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(deny_unknown_fields)]
+struct CameraKeys {
+    eye: Option<Numbers<3>>,
+    target: Option<Numbers<3>>,
+    up: Option<Numbers<3>>,
+    azimuth: Option<f64>,
+    elevation: Option<f64>,
+    zoom: Option<f64>,
+    projection: Option<ProjectionKey>,
+    fov_y: Option<f64>,
+    height: Option<f64>,
+    near: Option<f64>,
+}
+
+#[derive(Deserialize, Clone, Copy, PartialEq, Eq)]
+#[serde(rename_all = "snake_case")]
+enum ProjectionKey {
+    Perspective,
+    Orthographic,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(deny_unknown_fields)]
+struct ImageKeys {
+    width: Option<i64>,
+    height: Option<i64>,
+    background: Option<Color>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(deny_unknown_fields)]
+struct FieldKeys {
+    scalar: Option<String>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TransferKeys {
+    units: Option<UnitsKey>,
+    widget: Option<Vec<WidgetKeys>>,
+    curve: Option<CurveKeys>,
+}
+
+#[derive(Deserialize, Clone, Copy, PartialEq, Eq)]
+#[serde(rename_all = "snake_case")]
+enum UnitsKey {
+    Data,
+    Normalized,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct WidgetKeys {
+    shape: ShapeKey,
+    center: Option<Numbers<2>>,
+    sigma: Option<Numbers<2>>,
+    angle: Option<f64>,
+    color: Color,
+    extinction: f64,
+    scalar_range: Option<Numbers<2>>,
+    gradient_range: Option<Numbers<2>>,
+}
+
+#[derive(Deserialize, Clone, Copy, PartialEq, Eq)]
+#[serde(rename_all = "snake_case")]
+enum ShapeKey {
+    Uniform,
+    Gaussian,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct CurveKeys {
+    points: Vec<Numbers<5>>,
+}
+
+/// Exactly `N` numbers; serde's arrays would ignore further ones.
+#[derive(Deserialize, Clone, Copy)]
+#[serde(try_from = "Vec<f64>")]
+struct Numbers<const N: usize>([f64; N]);
+
+impl<const N: usize> TryFrom<Vec<f64>> for Numbers<N> {
+    type Error = String;
+    fn try_from(values: Vec<f64>) -> Result<Self, String> {
+        let count = values.len();
+        values.try_into().map(Self).map_err(|_| format!("{N} numbers are needed, not {count}"))
+    }
+}
+
+/// Linear numbers, or sRGB as `#rrggbb` or `#rrggbbaa`.
+#[derive(Deserialize, Clone)]
+#[serde(untagged, expecting = "a colour is [r, g, b], linear, or \"#rrggbb\", sRGB")]
+enum Color {
+    Linear(Vec<f64>),
+    Srgb(String),
+}
+
+impl Color {
+    /// Linear channels, three or four of them.
+    fn linear(&self, key: &str) -> Checked<Vec<f64>> {
+        match self {
+            Self::Linear(values) => match values.iter().find(|v| !(v.is_finite() && **v >= 0.0)) {
+                Some(bad) => Err(Problem::new(key, format!("channels must be finite and not negative, not {bad}"))),
+                None => Ok(values.clone()),
+            },
+            Self::Srgb(text) => hex_color(text)
+                .ok_or_else(|| Problem::new(key, format!("'{text}' is no colour: write \"#rrggbb\" or [r, g, b]"))),
+        }
+    }
+
+    fn rgb(&self, key: &str) -> Checked<[f64; 3]> {
+        let channels = self.linear(key)?;
+        let count = channels.len();
+        channels.try_into().map_err(|_| Problem::new(key, format!("3 channels are needed, not {count}")))
+    }
+
+    fn rgba(&self, key: &str) -> Checked<[f64; 4]> {
+        match self.linear(key)?[..] {
+            [r, g, b] => Ok([r, g, b, 1.0]),
+            [r, g, b, a] if a <= 1.0 => Ok([r, g, b, a]),
+            [_, _, _, a] => Err(Problem::new(key, format!("opacity must lie in 0..1, not {a}"))),
+            ref other => Err(Problem::new(key, format!("4 channels are needed, not {}", other.len()))),
+        }
+    }
+}
+
+/// `#rrggbb` or `#rrggbbaa` to linear channels.
+fn hex_color(text: &str) -> Option<Vec<f64>> {
+    let digits = text.strip_prefix('#').filter(|d| d.is_ascii() && matches!(d.len(), 6 | 8))?;
+    (0..digits.len() / 2)
+        .map(|i| {
+            let value = f64::from(u8::from_str_radix(digits.get(2 * i..2 * i + 2)?, 16).ok()?) / 255.0;
+            Some(if i == 3 { value } else { linear_from_srgb(value) })
+        })
+        .collect()
+}
+
+/// IEC 61966-2-1.
+fn linear_from_srgb(v: f64) -> f64 {
+    if v <= 0.04045 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) }
+}
+
+/// Reads and checks a scene.
+pub(super) fn read_scene(document: &Document<'_>) -> Result<Scene> {
+    let keys: SceneKeys = document.read()?;
+    check_scene(keys).map_err(|problem| document.refuse(&problem))
+}
+
+fn check_scene(keys: SceneKeys) -> Checked<Scene> {
+    let size = [
+        check_side("image.width", keys.image.width.unwrap_or(800))?,
+        check_side("image.height", keys.image.height.unwrap_or(600))?,
+    ];
+    if u64::from(size[0]) * u64::from(size[1]) > MAX_PIXELS {
+        return Err(Problem::new("image.width", format!("{} x {} is above {MAX_PIXELS} pixels", size[0], size[1])));
+    }
+    let background = match &keys.image.background {
+        Some(color) => color.rgba("image.background")?,
+        None => [0.0; 4],
+    };
+    if keys.field.scalar.as_deref() == Some("") {
+        return Err(Problem::new("field.scalar", "the name is empty: leave the key out for the first field"));
+    }
+    let transfer = match (keys.transfer, keys.units) {
+        (Some(transfer), units) => Some(check_transfer(transfer, units)?),
+        (None, Some(_)) => return Err(Problem::new("units", "there is no transfer function that they could apply to")),
+        (None, None) => None,
+    };
+    Ok(Scene { camera: check_camera(&keys.camera)?, size, background, field: keys.field.scalar, transfer })
+}
+
+fn check_side(key: &str, value: i64) -> Checked<u32> {
+    u32::try_from(value)
+        .ok()
+        .filter(|v| (1..=MAX_SIDE).contains(v))
+        .ok_or_else(|| Problem::new(key, format!("must lie in 1..{MAX_SIDE} pixels, not {value}")))
+}
+
+fn check_camera(keys: &CameraKeys) -> Checked<CameraChoice> {
+    let fits = [("azimuth", keys.azimuth), ("elevation", keys.elevation), ("zoom", keys.zoom)];
+    let viewpoint = match &keys.eye {
+        Some(eye) => {
+            if let Some((name, _)) = fits.iter().find(|(_, value)| value.is_some()) {
+                return Err(Problem::new(format!("camera.{name}"), "excludes camera.eye: give one or the other"));
+            }
+            let vector = |name: &str, value: &Option<Numbers<3>>| match value {
+                Some(v) => finite(&format!("camera.{name}"), &v.0).map(|()| Some(v.0.into())),
+                None => Ok(None),
+            };
+            finite("camera.eye", &eye.0)?;
+            let (target, up) = (vector("target", &keys.target)?, vector("up", &keys.up)?);
+            Viewpoint::At { eye: eye.0.into(), target, up }
+        }
+        None => {
+            for (name, value) in [("target", keys.target), ("up", keys.up)] {
+                if value.is_some() {
+                    return Err(Problem::new(format!("camera.{name}"), "needs camera.eye beside it"));
+                }
+            }
+            for (name, value) in fits {
+                finite(&format!("camera.{name}"), value.as_slice())?;
+            }
+            let zoom = keys.zoom.unwrap_or(1.0);
+            if zoom <= 0.0 {
+                return Err(Problem::new("camera.zoom", format!("must be above 0, not {zoom}")));
+            }
+            Viewpoint::Fit {
+                azimuth: keys.azimuth.unwrap_or(30.0).to_radians(),
+                elevation: keys.elevation.unwrap_or(20.0).to_radians(),
+                zoom,
+            }
+        }
+    };
+    if let Viewpoint::At { eye, target: Some(target), up: Some(up) } = viewpoint {
+        super::choice::check_axes(eye, target, up)?;
+    }
+    let opening = check_opening(keys)?;
+    if let Some(near) = keys.near {
+        let perspective = matches!(opening, Opening::Perspective { .. });
+        if !near.is_finite() || near < 0.0 || (perspective && near == 0.0) {
+            let least = if perspective { "above 0" } else { "at least 0" };
+            return Err(Problem::new("camera.near", format!("must be {least} and finite, not {near}")));
+        }
+    }
+    Ok(CameraChoice { viewpoint, opening, near: keys.near })
+}
+
+fn check_opening(keys: &CameraKeys) -> Checked<Opening> {
+    if let Some(height) = keys.height {
+        if keys.fov_y.is_some() {
+            return Err(Problem::new("camera.height", "excludes camera.fov_y: an image is orthographic or it is not"));
+        }
+        if keys.projection == Some(ProjectionKey::Perspective) {
+            return Err(Problem::new(
+                "camera.height",
+                "belongs to an orthographic camera: give fov_y, or drop projection",
+            ));
+        }
+        if !(height.is_finite() && height > 0.0) {
+            return Err(Problem::new("camera.height", format!("must be above 0 and finite, not {height}")));
+        }
+        return Ok(Opening::Orthographic { height: Some(height) });
+    }
+    if keys.projection == Some(ProjectionKey::Orthographic) {
+        return match keys.fov_y {
+            Some(_) => Err(Problem::new("camera.fov_y", "belongs to a perspective camera: give height, or nothing")),
+            None => Ok(Opening::Orthographic { height: None }),
+        };
+    }
+    let fov_y = keys.fov_y.unwrap_or(30.0);
+    if !(fov_y > 0.0 && fov_y < 180.0) {
+        return Err(Problem::new("camera.fov_y", format!("must lie between 0 and 180 degrees, not {fov_y}")));
+    }
+    Ok(Opening::Perspective { fov_y: fov_y.to_radians() })
+}
+
+fn check_transfer(keys: TransferKeys, outer: Option<UnitsKey>) -> Checked<TransferChoice> {
+    if outer.is_some() && keys.units.is_some() {
+        return Err(Problem::new("units", "stands at the top and in [transfer]: keep one"));
+    }
+    let units = match keys.units.or(outer) {
+        Some(UnitsKey::Normalized) => Units::Normalized,
+        Some(UnitsKey::Data) | None => Units::Data,
+    };
+    let function = match (keys.widget, keys.curve) {
+        (Some(_), Some(_)) => {
+            return Err(Problem::new("transfer.curve", "excludes transfer.widget: a function is one or the other"));
+        }
+        (Some(widgets), None) if widgets.len() > MAX_WIDGETS => {
+            let key = format!("transfer.widget.{MAX_WIDGETS}");
+            return Err(Problem::new(key, format!("at most {MAX_WIDGETS} widgets, not {}", widgets.len())));
+        }
+        (Some(widgets), None) if !widgets.is_empty() => TransferFunction::Widgets(
+            widgets.iter().enumerate().map(|(index, widget)| check_widget(index, widget)).collect::<Checked<_>>()?,
+        ),
+        (None, Some(curve)) => TransferFunction::Curve(check_curve(&curve)?),
+        _ => return Err(Problem::new("transfer", "has neither a widget nor a curve: leave it out for a default one")),
+    };
+    Ok(TransferChoice { units, function })
+}
+
+fn check_widget(index: usize, keys: &WidgetKeys) -> Checked<Widget> {
+    let key = |name: &str| format!("transfer.widget.{index}.{name}");
+    let shape = match keys.shape {
+        ShapeKey::Uniform => {
+            let given =
+                [("center", keys.center.is_some()), ("sigma", keys.sigma.is_some()), ("angle", keys.angle.is_some())];
+            if let Some((name, _)) = given.iter().find(|(_, given)| *given) {
+                return Err(Problem::new(key(name), "a uniform widget has none: use scalar_range and gradient_range"));
+            }
+            WidgetShape::Uniform
+        }
+        ShapeKey::Gaussian => {
+            let needed = |name: &str, value: Option<Numbers<2>>| {
+                value.map(|v| v.0).ok_or_else(|| Problem::new(key(name), "a gaussian widget needs it"))
+            };
+            let (center, sigma) = (needed("center", keys.center)?, needed("sigma", keys.sigma)?);
+            finite(&key("center"), &center)?;
+            finite(&key("sigma"), &sigma)?;
+            if sigma.iter().any(|s| *s <= 0.0) {
+                return Err(Problem::new(key("sigma"), format!("both must be above 0, not {sigma:?}")));
+            }
+            finite(&key("angle"), keys.angle.as_slice())?;
+            WidgetShape::Gaussian { center, sigma, angle: keys.angle.unwrap_or(0.0).to_radians() }
+        }
+    };
+    let range = |name: &str, value: Option<Numbers<2>>| {
+        let Some(Numbers([low, high])) = value else { return Ok(None) };
+        finite(&key(name), &[low, high])?;
+        if low > high {
+            return Err(Problem::new(key(name), format!("the lower end comes first: [{high}, {low}]")));
+        }
+        Ok(Some([low, high]))
+    };
+    Ok(Widget {
+        shape,
+        color: keys.color.rgb(&key("color"))?,
+        extinction: check_extinction(&key("extinction"), keys.extinction)?,
+        scalar_range: range("scalar_range", keys.scalar_range)?,
+        gradient_range: range("gradient_range", keys.gradient_range)?,
+    })
+}
+
+fn check_curve(keys: &CurveKeys) -> Checked<Curve> {
+    if keys.points.is_empty() {
+        return Err(Problem::new("transfer.curve.points", "at least one point [s, r, g, b, extinction] is needed"));
+    }
+    let mut nodes: Vec<CurveNode> = Vec::with_capacity(keys.points.len());
+    for (index, Numbers([scalar, r, g, b, extinction])) in keys.points.iter().copied().enumerate() {
+        let key = format!("transfer.curve.points.{index}");
+        finite(&key, &[scalar])?;
+        if let Some(before) = nodes.last().filter(|before| before.scalar >= scalar) {
+            return Err(Problem::new(key, format!("scalars must increase: {scalar} follows {}", before.scalar)));
+        }
+        let color = Color::Linear(vec![r, g, b]).rgb(&key)?;
+        nodes.push(CurveNode { scalar, color, extinction: check_extinction(&key, extinction)? });
+    }
+    Ok(Curve { nodes })
+}
+
+fn check_extinction(key: &str, value: f64) -> Checked<f64> {
+    if value.is_finite() && value >= 0.0 {
+        return Ok(value);
+    }
+    Err(Problem::new(key, format!("an extinction must be finite and not negative, not {value}")))
+}
+
+fn finite(key: &str, values: &[f64]) -> Checked<()> {
+    match values.iter().find(|v| !v.is_finite()) {
+        Some(bad) => Err(Problem::new(key, format!("must be finite, not {bad}"))),
+        None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Override;
+    use super::*;
+
+    const GAUSSIAN: &str = "[[transfer.widget]]\nshape = \"gaussian\"\ncenter = [1, 2]\nsigma = [0.5, 1]\nangle = 90\n\
+                            color = \"#ff8000\"\nextinction = 3\nscalar_range = [0, 2]\n";
+
+    fn set(key: &str, value: &str) -> Override {
+        Override { key: key.into(), value: value.into(), origin: format!("--set {key}={value}") }
+    }
+
+    fn widgets(scene: &Scene) -> &[Widget] {
+        match &scene.transfer.as_ref().unwrap().function {
+            TransferFunction::Widgets(widgets) => widgets,
+            TransferFunction::Curve(_) => panic!("widgets were given"),
+        }
+    }
+
+    #[test]
+    fn nothing_said_is_a_scene() {
+        let scene = Scene::parse("", &[]).unwrap();
+        assert_eq!((scene.size, scene.background, scene.field), ([800, 600], [0.0; 4], None));
+        assert!(scene.transfer.is_none());
+    }
+
+    #[test]
+    fn a_gaussian_is_read_in_radians_and_linear_colour() {
+        let scene = Scene::parse(GAUSSIAN, &[]).unwrap();
+        let widget = widgets(&scene)[0];
+        let WidgetShape::Gaussian { center, sigma, angle } = widget.shape else { panic!("a gaussian") };
+        assert_eq!((center, sigma), ([1.0, 2.0], [0.5, 1.0]));
+        assert!((angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+        // 0x80 / 255 by the sRGB curve.
+        assert!((widget.color[1] - 0.215_860_5).abs() < 1e-6 && widget.color[0] == 1.0 && widget.color[2] == 0.0);
+        assert_eq!((widget.extinction, widget.scalar_range, widget.gradient_range), (3.0, Some([0.0, 2.0]), None));
+    }
+
+    #[test]
+    fn overrides_replace_append_and_switch() {
+        let text = format!("[camera]\nazimuth = 10\n{GAUSSIAN}");
+        let choices = [
+            set("transfer.widget.0.extinction", "7"),
+            set("transfer.widget.1.shape", "uniform"),
+            set("transfer.widget.1.color", "[0, 0, 1]"),
+            set("transfer.widget.1.extinction", "0.5"),
+            set("camera.eye", "[9, 9, 9]"),
+            set("field.scalar", "t"),
+        ];
+        let scene = Scene::parse(&text, &choices).unwrap();
+        assert_eq!(widgets(&scene).iter().map(|w| w.extinction).collect::<Vec<_>>(), [7.0, 0.5]);
+        assert!(matches!(scene.camera.viewpoint, Viewpoint::At { .. }));
+        assert_eq!(scene.field.as_deref(), Some("t"));
+    }
+
+    /// Each scene, and what its message must hold: the key, the line, or the flag.
+    #[test]
+    fn bad_scenes_are_named_by_key_and_line() {
+        let widget = |line: &str| {
+            format!("[[transfer.widget]]\nshape = \"uniform\"\ncolor = [1, 1, 1]\nextinction = 1\n{line}\n")
+        };
+        let gaussian = |from: &str, to: &str| GAUSSIAN.replace(from, to);
+        let many = widget("").repeat(65);
+        let cases: Vec<(String, &[&str])> = vec![
+            ("colour = 1\n".into(), &["line 1", "colour", "unknown field"]),
+            ("[image]\nwidth = 0\n".into(), &["line 2", "image.width", "1..32768"]),
+            ("[image]\nheight = -5\n".into(), &["line 2", "image.height"]),
+            ("[image]\nwidth = 30000\nheight = 30000\n".into(), &["image.width", "pixels"]),
+            ("[image]\nwidth = \"wide\"\n".into(), &["line 2", "image.width", "a whole number"]),
+            ("[image]\nbackground = [1, 1]\n".into(), &["line 2", "image.background", "4 channels"]),
+            ("[image]\nbackground = [1, 1, 1, 2]\n".into(), &["image.background", "0..1"]),
+            ("[field]\nscalar = \"\"\n".into(), &["field.scalar", "empty"]),
+            ("[camera]\nfov_y = 180\n".into(), &["line 2", "camera.fov_y", "180"]),
+            ("[camera]\nfov_y = nan\n".into(), &["camera.fov_y"]),
+            ("[camera]\nheight = 0\n".into(), &["camera.height"]),
+            ("[camera]\nheight = 1\nfov_y = 30\n".into(), &["camera.height", "fov_y"]),
+            ("[camera]\nnear = 0\n".into(), &["camera.near"]),
+            ("[camera]\nzoom = 0\n".into(), &["camera.zoom"]),
+            ("[camera]\nazimuth = inf\n".into(), &["camera.azimuth"]),
+            ("[camera]\neye = [1, 2, 3]\nazimuth = 5\n".into(), &["camera.azimuth", "camera.eye"]),
+            ("[camera]\ntarget = [1, 2, 3]\n".into(), &["camera.target", "camera.eye"]),
+            ("[camera]\neye = [1, 2]\n".into(), &["line 2", "camera.eye", "3 numbers"]),
+            ("[camera]\neye = [1, 2, 3, 4]\n".into(), &["line 2", "camera.eye", "3 numbers"]),
+            ("[camera]\neye = [1, 2, 3]\ntarget = [1, 2, 3]\nup = [0, 0, 1]\n".into(), &["line 3", "camera.target"]),
+            ("[camera]\neye = [0, 0, 3]\ntarget = [0, 0, 0]\nup = [0, 0, 1]\n".into(), &["line 4", "camera.up"]),
+            (gaussian("[0.5, 1]", "[0, 1]"), &["line 4", "transfer.widget.0.sigma", "above 0"]),
+            (gaussian("[0.5, 1]", "[0.5, -1]"), &["line 4", "transfer.widget.0.sigma"]),
+            (gaussian("sigma = [0.5, 1]\n", ""), &["line 1", "transfer.widget.0.sigma", "needs"]),
+            (gaussian("extinction = 3", "extinction = -3"), &["line 7", "transfer.widget.0.extinction"]),
+            (gaussian("extinction = 3", "extinction = inf"), &["transfer.widget.0.extinction"]),
+            (gaussian("extinction = 3\n", ""), &["line 1", "transfer.widget.0", "missing field `extinction`"]),
+            (gaussian("[0, 2]", "[2, 0]"), &["line 8", "transfer.widget.0.scalar_range"]),
+            (gaussian("#ff8000", "#ff80"), &["line 6", "transfer.widget.0.color", "#rrggbb"]),
+            (gaussian("\"#ff8000\"", "[1, -1, 0]"), &["transfer.widget.0.color"]),
+            (gaussian("\"#ff8000\"", "7"), &["line 6", "transfer.widget.0.color", "#rrggbb"]),
+            (gaussian("gaussian", "cube"), &["line 2", "transfer.widget.0.shape", "cube"]),
+            (widget("sigma = [1, 1]"), &["line 5", "transfer.widget.0.sigma"]),
+            (widget("sigam = [1, 1]"), &["line 5", "transfer.widget.0.sigam", "unknown field"]),
+            (widget("gradient_range = [3, 2]"), &["transfer.widget.0.gradient_range"]),
+            (widget("") + &widget("extinction = 2"), &["line 10", "duplicate key"]),
+            (many, &["transfer.widget.64", "at most 64"]),
+            ("[transfer]\nunits = \"data\"\n".into(), &["transfer", "neither"]),
+            ("units = \"data\"\n".into(), &["units"]),
+            ("[transfer]\nunits = \"si\"\n".into(), &["line 2", "transfer.units", "si"]),
+            ("[transfer.curve]\npoints = []\n".into(), &["line 2", "transfer.curve.points"]),
+            (
+                "[transfer.curve]\npoints = [[0, 1, 1, 1, 1], [0, 1, 1, 1, 1]]\n".into(),
+                &["transfer.curve.points.1", "increase"],
+            ),
+            ("[transfer.curve]\npoints = [[0, 1, 1, 1]]\n".into(), &["line 2", "transfer.curve.points.0", "5 numbers"]),
+            ("[transfer.curve]\npoints = [[0, 1, 1, 1, -1]]\n".into(), &["transfer.curve.points.0", "negative"]),
+            (widget("") + "[transfer.curve]\npoints = [[0, 1, 1, 1, 1]]\n", &["transfer.curve", "excludes"]),
+            ("[camera\n".into(), &["line 1"]),
+        ];
+        for (text, parts) in cases {
+            let error = Scene::parse(&text, &[]).expect_err(&text);
+            assert_eq!(error.exit_code(), 2, "{text}");
+            for part in parts {
+                assert!(error.to_string().contains(part), "{text}\n-> {error}\nlacks {part}");
+            }
+        }
+    }
+
+    #[test]
+    fn bad_overrides_are_named_by_their_flag() {
+        for (key, value, part) in [
+            ("transfer.widget.0.sigma", "[0, 1]", "above 0"),
+            ("transfer.widget.0.sigma", "[\"a\", 1]", "invalid type"),
+            ("transfer.widget.0.sigam", "[1, 1]", "unknown field"),
+            ("transfer.widget.5.color", "[1, 1, 1]", "count from 0"),
+            ("transfer.widget.0.angle.x", "1", "below a plain value"),
+            ("camera.fov_y", "0", "180 degrees"),
+        ] {
+            let error = Scene::parse(GAUSSIAN, &[set(key, value)]).expect_err(key).to_string();
+            assert!(error.starts_with(&format!("--set {key}={value}")) && error.contains(part), "{error}");
+        }
+    }
+}
