@@ -235,7 +235,7 @@ fn find_key(
     best: &mut (usize, String),
 ) {
     for own in [key, &node.span()] {
-        if own.start <= span.start && span.end <= own.end && own.len() < best.0 {
+        if own.start <= span.start && span.end <= own.end && own.len() <= best.0 {
             *best = (own.len(), path.to_owned());
         }
     }

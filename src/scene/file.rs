@@ -106,7 +106,7 @@ enum ShapeKey {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct CurveKeys {
-    points: Vec<Numbers<5>>,
+    points: Vec<Vec<f64>>,
 }
 
 /// Exactly `N` numbers; serde's arrays would ignore further ones.
@@ -361,8 +361,14 @@ fn check_curve(keys: &CurveKeys) -> Checked<Curve> {
         return Err(Problem::new("transfer.curve.points", "at least one point [s, r, g, b, extinction] is needed"));
     }
     let mut nodes: Vec<CurveNode> = Vec::with_capacity(keys.points.len());
-    for (index, Numbers([scalar, r, g, b, extinction])) in keys.points.iter().copied().enumerate() {
+    for (index, point) in keys.points.iter().enumerate() {
         let key = format!("transfer.curve.points.{index}");
+        let [scalar, r, g, b, extinction] = point[..] else {
+            return Err(Problem::new(
+                key,
+                format!("5 numbers are needed, [s, r, g, b, extinction], not {}", point.len()),
+            ));
+        };
         finite(&key, &[scalar])?;
         if let Some(before) = nodes.last().filter(|before| before.scalar >= scalar) {
             return Err(Problem::new(key, format!("scalars must increase: {scalar} follows {}", before.scalar)));
