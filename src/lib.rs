@@ -1,5 +1,7 @@
 //! Direct volume rendering of unstructured meshes with bivariate transfer functions.
 
+#[cfg(feature = "cli")]
+pub mod cli;
 pub mod error;
 pub mod gpu;
 pub mod image;

@@ -1,2 +1,7 @@
 //! The `tetralux` command.
-fn main() {}
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    ExitCode::from(tetralux::cli::main(std::env::args_os()))
+}

@@ -1,0 +1,328 @@
+//! What was typed. Nothing here opens a file.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use serde::Serialize;
+
+use super::parse;
+use crate::mesh::synth::Sample;
+use crate::renderer;
+
+/// Volume rendering of unstructured meshes with transfer functions of a scalar and its gradient magnitude.
+#[derive(Debug, Parser)]
+#[command(name = "tetralux", version, arg_required_else_help = true, max_term_width = 110)]
+pub(super) struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// Render a mesh to a picture
+    Render(Box<RenderArgs>),
+    /// Tell what a mesh holds and what became of its cells
+    Info(InfoArgs),
+    /// Write a procedural mesh with an analytic field
+    Sample(SampleArgs),
+    /// Compare two pictures in linear floating point
+    Compare(CompareArgs),
+    /// Draw the joint histogram of a field and its gradient magnitude
+    Histogram(HistogramArgs),
+}
+
+/// Which mesh, and how to read it.
+#[derive(Debug, Args)]
+pub(super) struct SourceArgs {
+    /// Mesh: .vtu .pvtu .vti .pvti .vtr .vts .pvd .vtk, PLOT3D (.xyz .x .bin .grd), .nrrd .nhdr, .raw
+    pub mesh: PathBuf,
+    /// Step of a time series, from 0 [default: the last]
+    #[arg(long, value_name = "N")]
+    pub step: Option<usize>,
+    /// PLOT3D solution file beside the grid [default: found by name]
+    #[arg(long, value_name = "FILE")]
+    pub solution: Option<PathBuf>,
+    /// Raw volumes: samples along x, y and z
+    #[arg(long, value_name = "AxBxC", value_parser = parse::dims)]
+    pub dims: Option<[usize; 3]>,
+    /// Raw volumes: distance of samples [default: 1,1,1]
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse::spacing)]
+    pub spacing: Option<[f64; 3]>,
+    /// Raw volumes: type of a sample, as u8, i16be, f32
+    #[arg(long, value_name = "TYPE")]
+    pub sample_type: Option<String>,
+    /// Tetrahedra a hexahedron is cut into; 5 for structured grids only
+    #[arg(long, value_name = "N", default_value = "6")]
+    pub split: Split,
+}
+
+/// Tetrahedra per hexahedron.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Split {
+    #[value(name = "5")]
+    Five,
+    #[value(name = "6")]
+    Six,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct RenderArgs {
+    #[command(flatten)]
+    pub source: SourceArgs,
+    /// Picture to write: .png (8 bit, straight alpha, sRGB) or .exr (32-bit float, linear, premultiplied)
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    #[command(flatten)]
+    pub choices: ChoiceArgs,
+    /// Where to render: a graphics adapter (hardware preferred), a software one, or the f64 reference on the CPU
+    #[arg(long, value_name = "DEVICE", default_value = "auto")]
+    pub device: Device,
+    /// Write PNG values without the sRGB curve
+    #[arg(long)]
+    pub png_linear: bool,
+    /// Draw the transfer function beside the picture, which becomes wider
+    #[arg(long)]
+    pub legend: bool,
+    /// Frames to time after the first one
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub repeat: u32,
+    /// Print one line of JSON on stdout: cells after each stage, milliseconds of each pass, seconds a frame
+    #[arg(long, value_name = "FORMAT")]
+    pub stats: Option<StatsFormat>,
+    /// Tell the plan and the passes, with cells after each stage, bytes and milliseconds
+    #[arg(long)]
+    pub explain: bool,
+}
+
+/// What replaces the scene file's values.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Scene")]
+pub(super) struct SceneArgs {
+    /// Scene file (TOML); every flag below wins over it
+    #[arg(short, long, value_name = "FILE")]
+    pub scene: Option<PathBuf>,
+    /// Scalar field: an array's name, or NAME:mag, NAME:x, NAME:0 [default: the first]
+    #[arg(short, long, value_name = "NAME")]
+    pub field: Option<String>,
+    /// Width and height of the picture, pixels [default: 800x600]
+    #[arg(long, value_name = "WxH", value_parser = parse::size, conflicts_with_all = ["width", "height"])]
+    pub size: Option<[u32; 2]>,
+    /// Width of the picture, pixels
+    #[arg(long, value_name = "PIXELS")]
+    pub width: Option<u32>,
+    /// Height of the picture, pixels
+    #[arg(long, value_name = "PIXELS")]
+    pub height: Option<u32>,
+    /// Behind the volume: R,G,B or R,G,B,A, linear, or #rrggbb, sRGB [default: transparent black]
+    #[arg(long, value_name = "COLOUR", value_parser = parse::color)]
+    pub background: Option<String>,
+    /// Position of the camera
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse::vector, allow_hyphen_values = true)]
+    pub eye: Option<[f64; 3]>,
+    /// What the camera looks at [default: the mesh's middle]
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse::vector, allow_hyphen_values = true)]
+    pub target: Option<[f64; 3]>,
+    /// What is up [default: 0,0,1]
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse::vector, allow_hyphen_values = true)]
+    pub up: Option<[f64; 3]>,
+    /// Full vertical angle of a perspective camera, degrees [default: 30]
+    #[arg(long, value_name = "DEGREES", conflicts_with = "ortho_height")]
+    pub fov_y: Option<f64>,
+    /// Height of an orthographic image, data units
+    #[arg(long, value_name = "LENGTH")]
+    pub ortho_height: Option<f64>,
+    /// Fitted camera: angle around z from the x axis, degrees [default: 30]
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, conflicts_with_all = ["eye", "target", "up"])]
+    pub azimuth: Option<f64>,
+    /// Fitted camera: angle above the xy plane, degrees [default: 20]
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, conflicts_with_all = ["eye", "target", "up"])]
+    pub elevation: Option<f64>,
+    /// Depth where the picture begins, data units [default: 1e-4 of the mesh's diagonal]
+    #[arg(long, value_name = "DEPTH")]
+    pub near: Option<f64>,
+    /// Any scene key, as transfer.widget.0.extinction=3 (list items count from 0); may be repeated
+    #[arg(long, value_name = "KEY=VALUE", value_parser = parse::assignment)]
+    pub set: Vec<(String, String)>,
+}
+
+/// How, not what, is rendered.
+#[derive(Clone, Copy, Debug, Args, Serialize)]
+#[command(next_help_heading = "Method")]
+pub(super) struct ChoiceArgs {
+    /// How cells meet pixels
+    #[arg(long, default_value = "project")]
+    pub method: Method,
+    /// In which order cells are blended
+    #[arg(long, default_value = "centroid")]
+    pub order: Order,
+    /// How one ray segment in one cell is integrated
+    #[arg(long, default_value = "analytic")]
+    pub integral: Integral,
+    /// Where cells are sorted; auto: on the host for software adapters
+    #[arg(long, default_value = "auto")]
+    pub sort: Sort,
+    /// What is blended into; auto: f32 where the adapter can
+    #[arg(long, default_value = "auto")]
+    pub blend: Blend,
+    /// Keep cells that the transfer function leaves empty
+    #[arg(long)]
+    pub no_cull: bool,
+}
+
+impl ChoiceArgs {
+    /// The library's words for it.
+    pub fn settings(self) -> renderer::Settings {
+        renderer::Settings {
+            method: match self.method {
+                Method::Project => renderer::Method::Project,
+            },
+            integral: match self.integral {
+                Integral::Analytic => renderer::SegmentIntegral::Analytic,
+            },
+            order: match self.order {
+                Order::Centroid => renderer::OrderMethod::Centroid,
+            },
+            cull: !self.no_cull,
+            sort: match self.sort {
+                Sort::Auto => renderer::SortPlace::Auto,
+                Sort::Host => renderer::SortPlace::Host,
+                Sort::Gpu => renderer::SortPlace::Gpu,
+            },
+            blend: match self.blend {
+                Blend::Auto => renderer::BlendFormat::Auto,
+                Blend::F32 => renderer::BlendFormat::F32,
+                Blend::F16 => renderer::BlendFormat::F16,
+            },
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum Method {
+    /// Projected tetrahedra
+    Project,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum Order {
+    /// View depth of the cell's centroid
+    Centroid,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum Integral {
+    /// Closed-form optical depth
+    Analytic,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum Sort {
+    Auto,
+    Host,
+    Gpu,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum Blend {
+    Auto,
+    F32,
+    F16,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum Device {
+    /// A graphics adapter if there is one, else the reference
+    Auto,
+    /// Any graphics adapter, hardware preferred
+    Gpu,
+    /// A software graphics adapter
+    Software,
+    /// The f64 reference on the CPU: slow and exact
+    Oracle,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum StatsFormat {
+    Json,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct InfoArgs {
+    #[command(flatten)]
+    pub source: SourceArgs,
+    /// Scalar field the census is about [default: the first]
+    #[arg(short, long, value_name = "NAME")]
+    pub field: Option<String>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct SampleArgs {
+    /// marschner-lobb, hydrogen, sphere-flow or tangle
+    pub name: Sample,
+    /// About how many tetrahedra
+    #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = clap::value_parser!(u32).range(1..=200_000_000))]
+    pub tets: u32,
+    /// Mesh to write: .vtu
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct CompareArgs {
+    /// The picture in question: .png or .exr
+    pub got: PathBuf,
+    /// What it should be
+    pub want: PathBuf,
+    /// Difference picture to write: .png or .exr
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// What differences are multiplied by in the difference picture
+    #[arg(long, value_name = "FACTOR", default_value_t = 16.0)]
+    pub scale: f32,
+    /// Fail (exit code 1) where a channel of a pixel differs by more
+    #[arg(long, value_name = "X")]
+    pub max_error: Option<f64>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct HistogramArgs {
+    #[command(flatten)]
+    pub source: SourceArgs,
+    /// Scalar field [default: the first]
+    #[arg(short, long, value_name = "NAME")]
+    pub field: Option<String>,
+    /// Picture to write: .png or .exr
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    /// Table to write: .csv
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+    /// Bins along the scalar and the gradient magnitude
+    #[arg(long, value_name = "WxH", default_value = "256x256", value_parser = parse::bins)]
+    pub bins: [u32; 2],
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory as _;
+
+    #[test]
+    fn the_definition_is_consistent() {
+        super::Arguments::command().debug_assert();
+    }
+}

@@ -1,0 +1,42 @@
+//! From a file's name to tetrahedra: the only place here that reads meshes.
+
+use super::args::{SourceArgs, Split};
+use super::output::note;
+use super::progress::step;
+use crate::error::Result;
+use crate::mesh::{self, ArrayChoice, Mesh, ReadOptions};
+use crate::tet::{Census, FieldChoice, HexSplit, TetMesh};
+
+/// Reads the arrays that `field` needs, all of them where it is `None`.
+pub(super) fn mesh(source: &SourceArgs, arrays: ArrayChoice) -> Result<Mesh> {
+    let options = ReadOptions {
+        arrays,
+        step: source.step,
+        solution: source.solution.clone(),
+        dims: source.dims,
+        spacing: source.spacing,
+        sample_type: source.sample_type.clone(),
+    };
+    step("reading", || mesh::read(&source.mesh, &options))
+}
+
+/// Cuts `mesh` into tetrahedra.
+pub(super) fn cut(mesh: Mesh, source: &SourceArgs, field: Option<&str>) -> Result<(TetMesh, Census)> {
+    let choice = field.map_or_else(FieldChoice::default, FieldChoice::parse);
+    let split = match source.split {
+        Split::Five => HexSplit::FiveAlternating,
+        Split::Six => HexSplit::Six,
+    };
+    step("building", || TetMesh::new(mesh, &choice, split))
+}
+
+/// Both, telling on stderr what was left out or guessed.
+pub(super) fn tet_mesh(source: &SourceArgs, field: Option<&str>) -> Result<(TetMesh, Census)> {
+    // Without a name the choice falls on the first array of one component, which only the whole list tells.
+    let arrays = field.map_or(ArrayChoice::All, |name| ArrayChoice::One(Some(name.to_owned())));
+    let (mesh, census) = cut(mesh(source, arrays)?, source, field)?;
+    for text in &census.notes {
+        note(&format!("note: {text}"));
+    }
+    Ok((mesh, census))
+}

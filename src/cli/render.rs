@@ -1,0 +1,54 @@
+//! `tetralux render`: from a mesh file to a picture.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use super::args::RenderArgs;
+use super::job::RenderJob;
+use super::stats::{Report, Timing};
+use super::{device, legend, load, output, progress};
+use crate::renderer::{Frame, Renderer};
+
+pub(super) fn run(args: &RenderArgs) -> anyhow::Result<()> {
+    let job = RenderJob::new(args)?;
+    let start = Instant::now();
+    let (mesh, _) = load::tet_mesh(&args.source, job.scene.field.as_deref())?;
+    let load = start.elapsed();
+    let (camera, transfer) = job.scene.resolve(&mesh)?;
+    let mesh = Arc::new(mesh);
+    let bar = progress::bar("rendering");
+    let start = Instant::now();
+    let mut renderer =
+        progress::step("preparing", || device::renderer(&mesh, args.device, args.choices.settings(), &bar))?;
+    let prepare = start.elapsed();
+    let background = job.scene.premultiplied_background();
+    let frame = Frame { camera: &camera, transfer: &transfer, size: job.scene.size, background };
+    let timed = args.explain || args.stats.is_some();
+    let rendered = progress::step_with(bar, || renderer.render(&frame, timed))?;
+    // The picture above was the warm-up.
+    let frames = if timed || args.repeat > 1 { time_frames(&mut *renderer, &frame, args.repeat)? } else { Vec::new() };
+    let image = if args.legend { legend::beside(&rendered.image, &mesh, &transfer)? } else { rendered.image };
+    progress::step("writing", || image.write(&args.output, job.encoding))?;
+    for text in &rendered.stats.notes {
+        output::note(&format!("note: {text}"));
+    }
+    if timed || args.repeat > 1 {
+        let timing = Timing { load, prepare, frames };
+        let report = Report::new(args, &mesh, job.scene.size, &rendered.stats, &timing);
+        if args.explain {
+            output::note(&report.explain());
+        } else if args.stats.is_none() {
+            output::note(&report.summary());
+        }
+        if args.stats.is_some() {
+            output::say(&serde_json::to_string(&report)?)?;
+        }
+    }
+    Ok(())
+}
+
+fn time_frames(renderer: &mut dyn Renderer, frame: &Frame<'_>, count: u32) -> anyhow::Result<Vec<Duration>> {
+    let frames =
+        progress::step("timing", || (0..count).map(|_| renderer.render_only(frame)).collect::<Result<_, _>>())?;
+    Ok(frames)
+}
