@@ -6,7 +6,8 @@ use indicatif::ProgressBar;
 
 use super::args::Device;
 use super::output::note;
-use crate::error::Result;
+use crate::error::{Error, Result};
+use crate::gpu::{DeviceChoice, Gpu, GpuRenderer};
 use crate::oracle::Oracle;
 use crate::renderer::{Renderer, Settings};
 use crate::tet::TetMesh;
@@ -18,14 +19,23 @@ pub(super) fn renderer(
     settings: Settings,
     bar: &ProgressBar,
 ) -> Result<Box<dyn Renderer>> {
-    let _ = settings;
     match device {
         Device::Oracle => Ok(reference(mesh, bar)),
-        Device::Auto | Device::Gpu | Device::Software => {
-            note("rendering on the CPU with the f64 reference, which is slow");
-            Ok(reference(mesh, bar))
-        }
+        Device::Gpu => graphics(mesh, DeviceChoice::Any, settings),
+        Device::Software => graphics(mesh, DeviceChoice::Software, settings),
+        Device::Auto => match graphics(mesh, DeviceChoice::Any, settings) {
+            Err(Error::Device(why)) => {
+                note(&format!("note: {why}"));
+                note("note: rendering on the CPU with the f64 reference instead, which is slow");
+                Ok(reference(mesh, bar))
+            }
+            other => other,
+        },
     }
+}
+
+fn graphics(mesh: &Arc<TetMesh>, choice: DeviceChoice, settings: Settings) -> Result<Box<dyn Renderer>> {
+    Ok(Box::new(GpuRenderer::new(Gpu::new(choice)?, Arc::clone(mesh), settings)?))
 }
 
 fn reference(mesh: &Arc<TetMesh>, bar: &ProgressBar) -> Box<dyn Renderer> {

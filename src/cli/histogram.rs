@@ -4,10 +4,10 @@ use plotters::prelude::RGBColor;
 use plotters::style::text_anchor::{HPos, VPos};
 
 use super::args::HistogramArgs;
+use super::load;
 use super::output::{self, check_file, check_picture};
 use super::plot::{self, Axes};
 use super::progress::step;
-use super::{load, progress};
 use crate::error::{Error, Result};
 use crate::image::{Image, PngEncoding};
 use crate::space::Interval;
@@ -25,7 +25,7 @@ pub(super) fn run(args: &HistogramArgs) -> anyhow::Result<()> {
     let (mesh, _) = load::tet_mesh(&args.source, args.field.as_deref())?;
     let histogram = step("counting", || JointHistogram::new(&mesh, args.bins.map(|n| n as usize)));
     let image = draw(&mesh, &histogram)?;
-    progress::step("writing", || -> Result<()> {
+    step("writing", || -> Result<()> {
         image.write(&args.output, PngEncoding::Srgb)?;
         match &args.csv {
             Some(path) => output::write_whole(path, &table(&histogram)),
@@ -83,7 +83,7 @@ fn draw(mesh: &TetMesh, histogram: &JointHistogram) -> Result<Image> {
             let y = 40 + 512 * decade / DECADES as i32;
             plot::text(area, &label, (716, y), (HPos::Left, VPos::Center), INK)?;
         }
-        plot::text(area, "volume", (690, 34), (HPos::Left, VPos::Bottom), INK)
+        plot::text(area, "volume", (690, 26), (HPos::Left, VPos::Bottom), INK)
     })
 }
 

@@ -83,7 +83,7 @@ impl<'a> Info<'a> {
             gradient_range: [g.min, g.max],
             census,
             convex: topology.is_convex(),
-            delaunay: topology.is_convex() && topology.is_delaunay(),
+            delaunay: topology.is_delaunay(),
             topology,
         }
     }

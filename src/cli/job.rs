@@ -7,18 +7,16 @@ use crate::image::PngEncoding;
 use crate::scene::{Override, Scene};
 
 /// A picture to make, before any mesh is read.
-pub(super) struct RenderJob<'a> {
-    /// As typed.
-    pub args: &'a RenderArgs,
+pub(super) struct RenderJob {
     /// Checked.
     pub scene: Scene,
     /// Of a PNG.
     pub encoding: PngEncoding,
 }
 
-impl<'a> RenderJob<'a> {
+impl RenderJob {
     /// Finds everything wrong that can be found without the mesh.
-    pub fn new(args: &'a RenderArgs) -> Result<Self> {
+    pub fn new(args: &RenderArgs) -> Result<Self> {
         output::check_picture(&args.output)?;
         let scene = Scene::read(args.scene.scene.as_deref(), &overrides(&args.scene))?;
         if args.legend && scene.size[1] < legend::MIN_HEIGHT {
@@ -29,7 +27,7 @@ impl<'a> RenderJob<'a> {
             )));
         }
         let encoding = if args.png_linear { PngEncoding::Linear } else { PngEncoding::Srgb };
-        Ok(Self { args, scene, encoding })
+        Ok(Self { scene, encoding })
     }
 }
 
