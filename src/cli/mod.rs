@@ -40,7 +40,7 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         // The reader has seen enough, as `head` does.
         return 0;
     }
-    output::note(&format!("error: {error:#}"));
+    output::note(&format!("error: {error}"));
     error.downcast_ref::<Error>().map_or(1, Error::exit_code)
 }
 
