@@ -432,6 +432,16 @@ mod tests {
     }
 
     #[test]
+    fn documented_and_bundled_scenes_are_scenes() {
+        let page = include_str!("../../docs/scene.md");
+        let snippets: Vec<&str> = page.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+        assert_eq!(snippets.len(), 2);
+        for text in snippets.into_iter().chain([include_str!("../../examples/fire.toml")]) {
+            assert!(Scene::parse(text, &[]).unwrap().transfer.is_some());
+        }
+    }
+
+    #[test]
     fn overrides_replace_append_and_switch() {
         let text = format!("[camera]\nazimuth = 10\n{GAUSSIAN}");
         let choices = [
