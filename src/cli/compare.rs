@@ -22,8 +22,7 @@ pub(super) fn run(args: &CompareArgs) -> anyhow::Result<()> {
     let text = if args.json { serde_json::to_string(&comparison)? } else { comparison.to_string() };
     output::say(&text)?;
     match args.max_error {
-        // Phrased so that NaN fails.
-        Some(limit) if !(comparison.max <= limit) => {
+        Some(limit) if comparison.max.is_nan() || comparison.max > limit => {
             anyhow::bail!("the pictures differ by {:.3e}, more than {limit:e}", comparison.max)
         }
         _ => Ok(()),
