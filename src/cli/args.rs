@@ -73,10 +73,6 @@ pub(super) struct RenderArgs {
     /// Picture to write: .png (8 bit, straight alpha, sRGB) or .exr (32-bit float, linear, premultiplied)
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
-    #[command(flatten)]
-    pub scene: SceneArgs,
-    #[command(flatten)]
-    pub choices: ChoiceArgs,
     /// Where to render: a graphics adapter (hardware preferred), a software one, or the f64 reference on the CPU
     #[arg(long, value_name = "DEVICE", default_value = "auto")]
     pub device: Device,
@@ -95,6 +91,10 @@ pub(super) struct RenderArgs {
     /// Tell the plan and the passes, with cells after each stage, bytes and milliseconds
     #[arg(long)]
     pub explain: bool,
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    #[command(flatten)]
+    pub choices: ChoiceArgs,
 }
 
 /// What replaces the scene file's values.

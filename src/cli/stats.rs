@@ -108,7 +108,7 @@ impl<'a> Report<'a> {
     /// One line.
     pub fn summary(&self) -> String {
         let [median, min, max] = [self.frame_seconds, self.frame_seconds_min, self.frame_seconds_max].map(|s| 1e3 * s);
-        format!("{} frames: median {median:.2} ms, {min:.2} to {max:.2} ms, on {}", self.frames, self.adapter)
+        format!("frame     {median:>12.2} ms, median of {} ({min:.2} to {max:.2}), on {}", self.frames, self.adapter)
     }
 
     /// The plan and the passes, for people.
