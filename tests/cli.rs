@@ -152,7 +152,7 @@ fn flags_win_over_the_scene() {
     assert_eq!(png[16..24], [0, 0, 0, 20, 0, 0, 0, 10]);
     succeed(folder.path(), &[&render[..], &["--height", "200", "--legend", "-o", "b.png"]].concat());
     let png = std::fs::read(folder.path().join("b.png")).unwrap();
-    assert_eq!(png[16..24], [0, 0, 0, 240, 0, 0, 0, 200], "20 pixels of picture, 220 of legend");
+    assert_eq!(png[16..24], [0, 0, 1, 4, 0, 0, 0, 200], "20 pixels of picture, 240 of legend");
 }
 
 #[test]

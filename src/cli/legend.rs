@@ -5,7 +5,7 @@ use plotters::prelude::RGBColor;
 use super::plot::{self, Axes};
 use crate::error::{Error, Result};
 use crate::image::{Image, srgb_from_linear};
-use crate::scene::{Curve, TransferFunction, Widget};
+use crate::scene::{Curve, TransferFunction, Widget, WidgetShape};
 use crate::space::Interval;
 use crate::tet::TetMesh;
 
@@ -30,12 +30,14 @@ pub(super) fn beside(image: &Image, mesh: &TetMesh, transfer: &TransferFunction)
 }
 
 fn panel(height: u32, mesh: &TetMesh, transfer: &TransferFunction) -> Result<Image> {
-    let width = (height / 2).clamp(220, 420);
+    let width = (height / 2).clamp(240, 420);
     let side = (width - 90).min(height - 90) as i32;
     let (scalar, gradient) = (mesh.scalar_range(), mesh.gradient_range());
-    let gradient_label = format!("gradient magnitude of {}", mesh.field);
+    let gradient_label = format!("|grad {}|", mesh.field);
     let (y, y_label) = match transfer {
-        TransferFunction::Widgets(_) => (gradient, gradient_label.as_str()),
+        TransferFunction::Widgets(widgets) => {
+            (Interval { max: gradient.max.min(reach(widgets, gradient)), ..gradient }, gradient_label.as_str())
+        }
         TransferFunction::Curve(curve) => (Interval { min: 0.0, max: highest(curve, scalar) }, "extinction per length"),
     };
     let axes = Axes { frame: [65, 40, 65 + side, 40 + side], x: scalar, y, x_label: &mesh.field, y_label, ink: INK };
@@ -50,6 +52,22 @@ fn panel(height: u32, mesh: &TetMesh, transfer: &TransferFunction) -> Result<Ima
         }
         axes.draw(area)
     })
+}
+
+/// The gradient magnitude beyond which no widget shows: gradients have long tails that would squeeze the rest.
+fn reach(widgets: &[Widget], gradient: Interval) -> f64 {
+    let of = |widget: &Widget| {
+        let shape = match widget.shape {
+            WidgetShape::Uniform => f64::INFINITY,
+            WidgetShape::Gaussian { center, sigma, angle } => {
+                center[1] + 3.0 * (sigma[0] * angle.sin()).hypot(sigma[1] * angle.cos())
+            }
+        };
+        widget.gradient_range.map_or(shape, |[_, high]| shape.min(1.1 * high))
+    };
+    let most = widgets.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+    // Widgets that all lie below the range leave a frame with nothing in it.
+    if most > gradient.min { most } else { gradient.max }
 }
 
 /// The largest extinction within `scalar`; 1 where there is none.

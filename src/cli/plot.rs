@@ -110,18 +110,27 @@ fn position(range: Interval, value: f64, pixels: i32) -> i32 {
     if share.is_finite() { (share * f64::from(pixels)).round() as i32 } else { 0 }
 }
 
-/// At most about `count` round values within `range`, with labels that tell them apart.
+/// About `count` round values within `range`, two at least, with labels that tell them apart.
 fn ticks(range: Interval, count: i32) -> Vec<(f64, String)> {
     let rough = range.length() / f64::from(count.clamp(2, 10));
-    let step = [1.0, 2.0, 5.0, 10.0].map(|m| m * 10_f64.powf(rough.log10().floor())).into_iter().find(|s| *s >= rough);
+    let decade = 10_f64.powf(rough.log10().floor());
     let largest = range.min.abs().max(range.max.abs());
-    let Some(step) = step.filter(|s| s.is_finite() && *s > 1e-13 * largest) else {
+    let inside = |step: f64| {
+        let first = (range.min / step).ceil();
+        let values = (0..30).map(move |i| (first + f64::from(i)) * step);
+        values.take_while(|v| *v <= range.max + 1e-9 * step).collect::<Vec<_>>()
+    };
+    // The coarsest step that is fine enough; finer where it leaves fewer than two.
+    let steps = [0.2, 0.5, 1.0, 2.0, 5.0, 10.0].map(|m| m * decade);
+    let coarsest = steps.into_iter().find(|step| *step >= rough);
+    let fits = |step: &f64| coarsest.is_some_and(|most| *step <= most) && inside(*step).len() >= 2;
+    let fitting = steps.into_iter().rev().find(fits);
+    let Some(step) = fitting.filter(|s| s.is_finite() && *s > 1e-13 * largest) else {
         let value = range.min;
         return if value.is_finite() { vec![(value, format!("{value}"))] } else { Vec::new() };
     };
-    let first = (range.min / step).ceil();
-    let values = (0..12).map(|i| (first + f64::from(i)) * step).take_while(|v| *v <= range.max + 1e-9 * step);
-    values.map(|v| (v, label(if v.abs() < 1e-9 * step { 0.0 } else { v }, step, largest))).collect()
+    let exact = |v: f64| if v.abs() < 1e-9 * step { 0.0 } else { v };
+    inside(step).into_iter().map(|v| (v, label(exact(v), step, largest))).collect()
 }
 
 /// `value` with the digits that `step` needs.
@@ -149,6 +158,8 @@ mod tests {
     fn ticks_are_round() {
         assert_eq!(labels(0.0, 1.0), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
         assert_eq!(labels(-3.0, 5.0), ["-2", "0", "2", "4"]);
+        let two = ticks(Interval { min: 0.19, max: 4.98 }, 2);
+        assert_eq!(two.iter().map(|t| t.1.as_str()).collect::<Vec<_>>(), ["2", "4"]);
         assert_eq!(labels(0.0, 3e7), ["0", "1e7", "2e7", "3e7"]);
         assert_eq!(labels(1e-9, 3e-9), ["1.0e-9", "1.5e-9", "2.0e-9", "2.5e-9", "3.0e-9"]);
     }
@@ -158,7 +169,7 @@ mod tests {
         for (min, max) in
             [(1.0, 1.0), (1e300, 1.1e300), (1.0, 1.0 + 1e-15), (0.0, 5e-324), (f64::INFINITY, f64::NEG_INFINITY)]
         {
-            assert!(labels(min, max).len() <= 12, "{min} {max}");
+            assert!(labels(min, max).len() <= 30, "{min} {max}");
         }
         assert_eq!(labels(7.5, 7.5), ["7.5"]);
     }
