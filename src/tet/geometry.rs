@@ -29,6 +29,11 @@ pub(super) fn orientation([a, b, c, d]: [DVec3; 4]) -> i8 {
     }
 }
 
+/// True where the orientation is certain, and positive.
+pub(crate) fn is_positive(corners: [DVec3; 4]) -> bool {
+    orientation(corners) == 1
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -18,8 +18,10 @@ use glam::DVec3;
 pub use self::adjacency::{Adjacency, FACES};
 pub use self::census::{Census, Finding, KindCount};
 pub use self::field::FieldChoice;
+pub(crate) use self::geometry::is_positive;
 pub use self::histogram::JointHistogram;
 pub use self::split::HexSplit;
+pub(crate) use self::split::split as split_cell;
 pub use self::topology::TopologyCensus;
 use crate::space::{Bounds, Interval};
 

@@ -14,7 +14,7 @@ pub enum HexSplit {
 }
 
 /// The tetrahedra of one cell, at most six.
-pub(super) struct Pieces {
+pub(crate) struct Pieces {
     tets: [[u32; 4]; 6],
     len: usize,
 }
@@ -29,7 +29,7 @@ impl Pieces {
         self.len += 1;
     }
 
-    pub(super) fn as_slice(&self) -> &[[u32; 4]] {
+    pub(crate) fn as_slice(&self) -> &[[u32; 4]] {
         &self.tets[..self.len]
     }
 }
@@ -49,7 +49,7 @@ const HEXAHEDRON_FROM_VOXEL: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
 /// is not used: always six here). Two tetrahedra a pyramid, three a wedge.
 ///
 /// Where a cell names a node twice (a hexahedron collapsed to a wedge), the tetrahedra that do so are made too.
-pub(super) fn split(kind: CellKind, nodes: &[u32]) -> Pieces {
+pub(crate) fn split(kind: CellKind, nodes: &[u32]) -> Pieces {
     match kind {
         CellKind::Tetrahedron => {
             let mut pieces = Pieces::new();
