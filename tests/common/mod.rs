@@ -1,7 +1,10 @@
 //! What several test files need.
 #![allow(dead_code, reason = "every test file uses a part of it")]
 
+pub mod agreement;
 pub mod boxes;
+pub mod gpu;
+pub mod meshes;
 pub mod npy;
 pub mod peer_scene;
 

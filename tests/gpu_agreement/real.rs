@@ -1,0 +1,93 @@
+//! Real data at 512 x 512: the Blunt Fin and the Post, smooth, banded and linear, four views each.
+//!
+//! Three pictures a view: of one colour, where the order does not matter (geometry and depths); against the truth
+//! (sorting by centroids); against the truth composed in that order (integration of colour).
+
+use std::sync::Arc;
+
+use tetralux::image::Image;
+use tetralux::oracle::Oracle;
+use tetralux::plan::order::centroid_depth;
+use tetralux::renderer::{Frame, Settings};
+use tetralux::scene::{Curve, TransferFunction};
+use tetralux::tet::TetMesh;
+
+use crate::common::agreement::{Limits, Verdict, assert_limits_bite, sensitivity_of};
+use crate::common::peer_scene::PeerScene;
+use crate::common::{folder, gpu, meshes};
+
+/// Of one-colour pictures.
+const GEOMETRY: Limits = Limits { psnr: 75.0, percentile_99_9: 1e-3, explained_above: 2e-3, shift: 1e-3 };
+/// Of pictures in the renderer's own order.
+const INTEGRATION: Limits =
+    Limits { psnr: 75.0, percentile_99_9: f64::INFINITY, explained_above: f64::INFINITY, shift: 1e-3 };
+/// Of pictures, sorted by centroids, against the truth.
+const SORTED: Limits = Limits { psnr: 45.0, ..INTEGRATION };
+
+const COLOR: [f64; 3] = [0.9, 0.6, 0.3];
+
+fn one_color(transfer: &TransferFunction) -> TransferFunction {
+    let TransferFunction::Curve(mut curve) = transfer.clone() else { panic!("a 1D function") };
+    curve.nodes.iter_mut().for_each(|node| node.color = COLOR);
+    TransferFunction::Curve(Curve { nodes: curve.nodes })
+}
+
+/// Where all is of one colour, what is seen of it is the opacity.
+fn colored(opacity: &Image) -> Image {
+    let [r, g, b] = COLOR;
+    let color = |p: &[f32; 4]| [r, g, b, 1.0].map(|c| (c * f64::from(p[3])) as f32);
+    Image { pixels: opacity.pixels.iter().map(color).collect(), ..*opacity }
+}
+
+fn agrees(name: &str, view: usize) {
+    let peers = folder("TETRALUX_PEERS");
+    let scene = PeerScene::read(&peers, name);
+    let mesh: Arc<TetMesh> = meshes::read(&peers.join(&scene.mesh), &scene.array);
+    let (camera, transfer) = (scene.camera(view), scene.transfer());
+    let plain = one_color(&transfer);
+    let mut renderer = gpu::renderer(&mesh, Settings::default());
+    let got = gpu::draw(&mut renderer, &camera, &transfer, scene.image).image;
+    let got_plain = gpu::draw(&mut renderer, &camera, &plain, scene.image).image;
+    drop(renderer);
+    let oracle = Oracle::new(mesh.clone());
+    let frame = Frame { camera: &camera, transfer: &transfer, size: scene.image, background: [0.0; 4] };
+    let truth = oracle.image(&frame).expect("a picture");
+    let in_order = oracle.render_in_order(&frame, &centroid_depth(&mesh, &camera)).expect("a picture");
+    let of_view = oracle.view(&frame).expect("a view");
+    let sensitivity = sensitivity_of(&of_view, &plain);
+    let truth_plain = colored(&truth);
+    let geometry = Verdict::new(&got_plain, &truth_plain, GEOMETRY, sensitivity);
+    let sorted = Verdict::new(&got, &truth, SORTED, |_, _| 0.0);
+    let integration = Verdict::new(&got, &in_order, INTEGRATION, |_, _| 0.0);
+    println!("{name} view {view}: one colour {geometry}");
+    println!("{name} view {view}: sorted     {sorted}");
+    println!("{name} view {view}: own order  {integration}");
+    for u in &geometry.unexplained {
+        println!("  {u:?}");
+    }
+    assert_limits_bite(&truth_plain, GEOMETRY);
+    geometry.assert_good("one colour");
+    sorted.assert_good("sorted by centroids");
+    integration.assert_good("in its own order");
+}
+
+macro_rules! views {
+    ($($scene:ident)*) => {$(
+        mod $scene {
+            #[test]
+            #[ignore = "needs TETRALUX_PEERS"]
+            fn view_0() { super::agrees(stringify!($scene), 0); }
+            #[test]
+            #[ignore = "needs TETRALUX_PEERS"]
+            fn view_1() { super::agrees(stringify!($scene), 1); }
+            #[test]
+            #[ignore = "needs TETRALUX_PEERS"]
+            fn view_2() { super::agrees(stringify!($scene), 2); }
+            #[test]
+            #[ignore = "needs TETRALUX_PEERS"]
+            fn view_3() { super::agrees(stringify!($scene), 3); }
+        }
+    )*};
+}
+
+views!(bluntfin_smooth bluntfin_band bluntfin_lin post_smooth post_band post_lin);
