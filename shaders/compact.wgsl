@@ -4,7 +4,8 @@
 // Turns block counts into block offsets (exclusive scan), and writes the arguments of the indirect sort and draws.
 // One workgroup: a block stands for 256 cells, so that even 100 million cells are 1,526 turns of its loop.
 
-@group(3) @binding(0) var<storage, read_write> block_counts: array<u32>; // counts in, offsets out
+@group(3) @binding(0) var<storage, read> block_counts: array<u32>;
+@group(3) @binding(3) var<storage, read_write> block_offsets: array<u32>;
 @group(3) @binding(1) var<storage, read_write> counts: Counts;
 @group(3) @binding(2) var<storage, read_write> draws: array<u32>; // 5 words a chunk: arguments of draw_indexed
 
@@ -35,7 +36,7 @@ fn main(@builtin(local_invocation_index) lane: u32) {
         }
         workgroupBarrier();
         if i < blocks {
-            block_counts[i] = before + partial[lane] - count;
+            block_offsets[i] = before + partial[lane] - count;
         }
         before += partial[255];
         workgroupBarrier();

@@ -2,12 +2,11 @@
 
 // Composes the blended cells over what lies behind them: the background, or slabs resolved before.
 
-@group(3) @binding(0) var blended: texture_2d<f32>; // premultiplied colour, transmittance
-@group(3) @binding(1) var behind: texture_2d<f32>; // the same
+@group(3) @binding(0) var blended: texture_2d<f32>; // premultiplied colour, transmittance (a slab: opacity)
+@group(3) @binding(1) var behind: texture_2d<f32>; // premultiplied colour, transmittance
 
-// The picture is finished by this pass: transmittance becomes opacity, over the background.
-override LAST: bool = true;
-override FIRST: bool = true;
+// On: a slab over those behind it. Off: the picture is finished; transmittance becomes opacity, over the background.
+override SLAB: bool = false;
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
@@ -18,14 +17,12 @@ fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
 @fragment
 fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let pixel = vec2u(position.xy);
-    var result = textureLoad(blended, pixel, 0);
-    if !FIRST {
+    let front = textureLoad(blended, pixel, 0);
+    if SLAB {
         let far = textureLoad(behind, pixel, 0);
-        result = vec4f(result.rgb + result.a * far.rgb, result.a * far.a);
+        let transmittance = 1.0 - front.a;
+        return vec4f(front.rgb + transmittance * far.rgb, transmittance * far.a);
     }
-    if LAST {
-        let background = frame.background;
-        return vec4f(result.rgb + result.a * background.rgb, 1.0 - result.a * (1.0 - background.a));
-    }
-    return result;
+    let background = frame.background;
+    return vec4f(front.rgb + front.a * background.rgb, 1.0 - front.a * (1.0 - background.a));
 }

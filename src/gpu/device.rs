@@ -156,6 +156,22 @@ impl Gpu {
         Ok(data)
     }
 
+    /// The first `bytes` of `buffer` (which allows copying from), after all submitted work.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn read<T: bytemuck::Pod>(&self, buffer: &wgpu::Buffer, bytes: u64) -> Result<Vec<T>> {
+        if bytes == 0 {
+            return Ok(Vec::new());
+        }
+        let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
+        let mapped = self.buffer("read back", bytes, usage);
+        let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        encoder.copy_buffer_to_buffer(buffer, 0, &mapped, 0, bytes);
+        self.queue.submit([encoder.finish()]);
+        self.map(&mapped, bytes)
+    }
+
     /// A compute kernel, specialised by `constants`.
     ///
     /// # Errors
@@ -178,7 +194,7 @@ impl Gpu {
         Ok(Kernel { name, pipeline, bindings: module.bindings, layouts })
     }
 
-    /// A render kernel drawing triangles into one target; `entries` names the vertex and fragment entry points.
+    /// A render kernel drawing triangles; `entries` names the vertex and fragment entry points.
     ///
     /// # Errors
     /// The shader does not compile.
@@ -187,7 +203,7 @@ impl Gpu {
         name: &'static str,
         entries: [&str; 2],
         constants: &[(&str, f64)],
-        target: wgpu::ColorTargetState,
+        targets: &[Option<wgpu::ColorTargetState>],
         vertex_buffers: &[Option<wgpu::VertexBufferLayout<'_>>],
     ) -> Result<DrawKernel> {
         let module = Module::new(name)?;
@@ -212,7 +228,7 @@ impl Gpu {
                 module: &shader,
                 entry_point: Some(entries[1]),
                 compilation_options: options,
-                targets: &[Some(target)],
+                targets,
             }),
             multiview_mask: None,
             cache: None,

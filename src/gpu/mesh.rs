@@ -2,13 +2,13 @@
 
 use rayon::prelude::*;
 
-use crate::error::{Error, Result};
 use crate::gpu::device::Gpu;
+use crate::plan::near::NearCut;
 use crate::space::Interval;
 use crate::tet::TetMesh;
 
-/// Tetrahedra to a range start: a multiple of this keeps every binding's offset aligned.
-pub const RANGE_STEP: u64 = 65_536;
+/// Ranges begin at multiples of this, so that every binding's offset is aligned.
+const RANGE_STEP: u64 = 65_536;
 
 /// Maps data units to 0..1, in f64, before anything is narrowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +34,7 @@ impl Normalisation {
 }
 
 /// A part of the tetrahedra that fits one binding.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TetRange {
     /// First tetrahedron.
     pub first: u32,
@@ -64,23 +64,11 @@ pub struct MeshBuffers {
 }
 
 impl MeshBuffers {
-    /// Uploads a mesh with room for `spare` more vertices and tetrahedra (pieces of cells cut by the near plane).
-    ///
-    /// # Errors
-    /// More vertices than one binding holds.
-    pub fn new(gpu: &Gpu, mesh: &TetMesh, spare_vertices: u64, spare_tets: u64) -> Result<Self> {
+    /// Uploads a mesh with room for `spare_vertices` more, and for `tet_capacity` tetrahedra in all (pieces of cells cut
+    /// by the near plane).
+    pub fn new(gpu: &Gpu, mesh: &TetMesh, spare_vertices: u64, tet_capacity: u64) -> Self {
         let scalar = Normalisation::of(mesh.scalar_range());
         let gradient = Normalisation::of(mesh.gradient_range());
-        let vertex_count = mesh.vertices.len() as u64;
-        if (vertex_count + spare_vertices) * 16 > gpu.max_binding {
-            return Err(Error::Device(format!(
-                "the mesh has {vertex_count} vertices, {} MiB on the device, and '{}' binds at most {} MiB at once; \
-                 render with --device oracle, or a coarser mesh",
-                (vertex_count * 16) >> 20,
-                gpu.info.name,
-                gpu.max_binding >> 20
-            )));
-        }
         let positions: Vec<[f32; 4]> = mesh
             .vertices
             .par_iter()
@@ -89,22 +77,43 @@ impl MeshBuffers {
             .collect();
         let vertices = padded(gpu, "vertices", &positions, spare_vertices);
         let (tets, volumes): (Vec<[u32; 4]>, Vec<f32>) =
-            mesh.tets.par_iter().map(|&tet| ascending(tet, &positions)).unzip();
+            mesh.tets.par_iter().map(|&tet| ascending(tet, |v| at(positions[v as usize]))).unzip();
+        let spare_tets = tet_capacity - tets.len() as u64;
         let tet_buffer = padded(gpu, "tets", &tets, spare_tets);
         drop(tets);
         let volumes = padded(gpu, "volumes", &volumes, spare_tets);
         let gradients = gpu.storage("gradients", &[0.0f32; 4]);
-        Ok(Self {
+        Self {
             vertices,
             gradients,
             tets: tet_buffer,
             volumes,
-            vertex_count: vertex_count as u32,
+            vertex_count: mesh.vertices.len() as u32,
             tet_count: mesh.tets.len() as u32,
             scalar,
             gradient,
             has_gradients: false,
-        })
+        }
+    }
+
+    /// Writes the near plane's pieces: vertices behind the mesh's, tetrahedra from `start`.
+    pub fn put_pieces(&self, gpu: &Gpu, mesh: &TetMesh, cut: &NearCut, start: u32, bivariate: bool) {
+        let narrow = |p: glam::DVec3, s: f64| [p.x as f32, p.y as f32, p.z as f32, self.scalar.apply(s) as f32];
+        let added: Vec<[f32; 4]> = cut.vertices.iter().map(|v| narrow(v.position, v.scalar)).collect();
+        let position = |v: u32| match v.checked_sub(self.vertex_count) {
+            Some(i) => at(added[i as usize]),
+            None => at(narrow(mesh.vertices[v as usize], 0.0)),
+        };
+        let (tets, volumes): (Vec<[u32; 4]>, Vec<f32>) = cut.tets.iter().map(|&tet| ascending(tet, position)).unzip();
+        let first_vertex = u64::from(self.vertex_count);
+        gpu.write(&self.vertices, first_vertex * 16, bytemuck::cast_slice(&added));
+        gpu.write(&self.tets, u64::from(start) * 16, bytemuck::cast_slice(&tets));
+        gpu.write(&self.volumes, u64::from(start) * 4, bytemuck::cast_slice(&volumes));
+        if bivariate {
+            let values: Vec<f32> =
+                cut.vertices.iter().map(|v| self.gradient.apply(v.gradient_magnitude) as f32).collect();
+            gpu.write(&self.gradients, first_vertex * 4, bytemuck::cast_slice(&values));
+        }
     }
 
     /// Uploads gradient magnitudes, if no scene needed them before.
@@ -118,29 +127,35 @@ impl MeshBuffers {
     }
 }
 
-/// `tet_count` tetrahedra in parts whose widest binding (16 bytes a tetrahedron) fits.
+/// Tetrahedra (16 bytes each) that one binding holds.
+pub fn part_size(max_binding: u64) -> u32 {
+    (max_binding / 16 / RANGE_STEP * RANGE_STEP).clamp(RANGE_STEP, 1 << 31) as u32
+}
+
+/// `tet_count` tetrahedra in ranges that fit one binding.
 pub fn ranges(tet_count: u32, max_binding: u64) -> Vec<TetRange> {
-    let most = (max_binding / 16 / RANGE_STEP * RANGE_STEP).clamp(RANGE_STEP, 1 << 31) as usize;
-    (0..tet_count).step_by(most).map(|first| TetRange { first, count: (tet_count - first).min(most as u32) }).collect()
+    let most = part_size(max_binding);
+    (0..tet_count)
+        .step_by(most as usize)
+        .map(|first| TetRange { first, count: (tet_count - first).min(most) })
+        .collect()
 }
 
 /// A tetrahedron's vertices in ascending order, and 6 x its signed volume from the f32 positions: faces shared by two
 /// cells are then evaluated from the same vertices in the same order. Cells that rounding flattened get 0.
-pub fn ascending(tet: [u32; 4], positions: &[[f32; 4]]) -> ([u32; 4], f32) {
-    let at = |v: u32| {
-        let p = positions[v as usize];
-        glam::DVec3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2]))
-    };
+fn ascending(tet: [u32; 4], at: impl Fn(u32) -> glam::DVec3) -> ([u32; 4], f32) {
     let six_volumes = |t: [u32; 4]| (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).dot(at(t[3]) - at(t[0]));
-    let volume = six_volumes(tet);
-    if volume <= 0.0 || volume.is_nan() {
-        let mut sorted = tet;
-        sorted.sort_unstable();
-        return (sorted, 0.0);
-    }
     let mut sorted = tet;
     sorted.sort_unstable();
+    let volume = six_volumes(tet);
+    if volume <= 0.0 || volume.is_nan() {
+        return (sorted, 0.0);
+    }
     (sorted, six_volumes(sorted) as f32)
+}
+
+fn at(p: [f32; 4]) -> glam::DVec3 {
+    glam::DVec3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2]))
 }
 
 fn padded<T: bytemuck::Pod>(gpu: &Gpu, label: &str, data: &[T], spare: u64) -> wgpu::Buffer {

@@ -99,7 +99,7 @@ impl<'g> Recorder<'g> {
         })
     }
 
-    /// Records one render pass into `target`; `draw` issues the draws.
+    /// Records one render pass into `targets`; `draw` issues the draws.
     ///
     /// # Errors
     /// A lost device (only while timing by the clock).
@@ -107,8 +107,7 @@ impl<'g> Recorder<'g> {
         &mut self,
         kernel: &DrawKernel,
         groups: &[wgpu::BindGroup],
-        target: &wgpu::TextureView,
-        load: wgpu::LoadOp<wgpu::Color>,
+        targets: &[(&wgpu::TextureView, wgpu::LoadOp<wgpu::Color>)],
         draw: impl FnOnce(&mut wgpu::RenderPass<'_>),
     ) -> Result<()> {
         self.timed(kernel.name, "draw".to_owned(), |recorder, queries| {
@@ -117,14 +116,20 @@ impl<'g> Recorder<'g> {
                 beginning_of_pass_write_index: Some(2 * i),
                 end_of_pass_write_index: Some(2 * i + 1),
             });
+            let attachments: Vec<_> = targets
+                .iter()
+                .map(|&(view, load)| {
+                    Some(wgpu::RenderPassColorAttachment {
+                        view,
+                        depth_slice: None,
+                        resolve_target: None,
+                        ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
+                    })
+                })
+                .collect();
             let mut pass = recorder.encoder().begin_render_pass(&wgpu::RenderPassDescriptor {
                 label: Some(kernel.name),
-                color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                    view: target,
-                    depth_slice: None,
-                    resolve_target: None,
-                    ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
-                })],
+                color_attachments: &attachments,
                 depth_stencil_attachment: None,
                 timestamp_writes: writes,
                 occlusion_query_set: None,

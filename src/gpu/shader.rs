@@ -16,6 +16,7 @@ const SOURCES: &[(&str, &str)] = sources![
     "compact",
     "cull",
     "keys",
+    "layers",
     "math/optics",
     "math/real",
     "math/widget",

@@ -13,7 +13,6 @@ const SORT_GROUPS: u64 = std::mem::offset_of!(Counts, sort_groups_x) as u64;
 /// Sorts the cells of a frame.
 pub struct Sorter {
     place: Place,
-    mapped_counts: wgpu::Buffer,
 }
 
 enum Place {
@@ -37,13 +36,13 @@ impl Sorter {
     /// # Errors
     /// A shader that does not compile.
     pub fn new(gpu: &Gpu, capacity: u32, on_host: bool) -> Result<Self> {
-        let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
         let place = if on_host {
+            let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
             Place::Host { mapped: gpu.buffer("sort pairs, mapped", u64::from(capacity).max(1) * 8, usage) }
         } else {
             Place::Gpu(Box::new(GpuSort::new(gpu, capacity)?))
         };
-        Ok(Self { place, mapped_counts: gpu.buffer("counts, mapped", size_of::<Counts>() as u64, usage) })
+        Ok(Self { place })
     }
 
     /// Buffers held, by label.
@@ -79,10 +78,7 @@ impl Sorter {
     /// # Errors
     /// A lost device.
     pub fn survivors(&self, gpu: &Gpu, counts: &wgpu::Buffer) -> Result<u32> {
-        let mut recorder = Recorder::new(gpu, false);
-        recorder.encoder().copy_buffer_to_buffer(counts, 0, &self.mapped_counts, 0, size_of::<Counts>() as u64);
-        recorder.submit();
-        let counts: Vec<Counts> = gpu.map(&self.mapped_counts, size_of::<Counts>() as u64)?;
+        let counts: Vec<Counts> = gpu.read(counts, size_of::<Counts>() as u64)?;
         Ok(counts.first().map_or(0, |c| c.survivors))
     }
 
@@ -93,11 +89,8 @@ impl Sorter {
         mapped: &wgpu::Buffer,
         [counts, keys, order]: [&wgpu::Buffer; 3],
     ) -> Result<()> {
-        let count_bytes = size_of::<Counts>() as u64;
-        recorder.encoder().copy_buffer_to_buffer(counts, 0, &self.mapped_counts, 0, count_bytes);
         recorder.submit();
-        let counts: Vec<Counts> = gpu.map(&self.mapped_counts, count_bytes)?;
-        let survivors = counts.first().map_or(0, |c| u64::from(c.survivors));
+        let survivors = u64::from(self.survivors(gpu, counts)?);
         if survivors == 0 {
             return Ok(());
         }

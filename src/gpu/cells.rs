@@ -1,0 +1,90 @@
+//! Device buffers with an entry a cell, a bit a cell, or a block of 256 cells: what a frame's passes hand on.
+
+use crate::gpu::device::Gpu;
+use crate::gpu::layout;
+
+/// Bytes of a cell's four corners with gradients.
+const CORNER_BYTES: u64 = 4 * 44;
+
+const STORAGE: wgpu::BufferUsages = wgpu::BufferUsages::STORAGE;
+
+/// Buffers of the cells; sizes follow the mesh, not the view.
+pub struct CellBuffers {
+    /// One bit a cell: the transfer function can make it visible.
+    pub candidates: wgpu::Buffer,
+    /// One bit a cell: cut by the near plane, drawn as pieces.
+    pub clipped: wgpu::Buffer,
+    /// One bit a cell: drawn in this frame.
+    pub survivors: wgpu::Buffer,
+    /// Survivors of each block of 256 cells.
+    pub block_counts: wgpu::Buffer,
+    /// Survivors before each block.
+    pub block_offsets: wgpu::Buffer,
+    /// [`layout::Counts`].
+    pub counts: wgpu::Buffer,
+    /// Arguments of an indexed draw a chunk.
+    pub draws: wgpu::Buffer,
+    /// Clip position, 1/z and scalar/z of each vertex.
+    pub projected: wgpu::Buffer,
+    /// Gradient magnitude/z of each vertex; 16 bytes until a scene needs it.
+    pub projected_gradients: wgpu::Buffer,
+    /// Corners of one chunk's cells.
+    pub corners: wgpu::Buffer,
+    /// Sort keys of the survivors.
+    pub keys: wgpu::Buffer,
+    /// The survivors, sorted back to front.
+    pub order: wgpu::Buffer,
+    vertices: u64,
+}
+
+impl CellBuffers {
+    /// For so many vertices and tetrahedra, drawn in chunks.
+    pub fn new(gpu: &Gpu, vertices: u64, tets: u64, chunk_cells: u32) -> Self {
+        let blocks = tets.div_ceil(256);
+        let chunks = tets.div_ceil(u64::from(chunk_cells));
+        let copied = STORAGE | wgpu::BufferUsages::COPY_SRC;
+        let indirect = STORAGE | wgpu::BufferUsages::INDIRECT;
+        let written = STORAGE | wgpu::BufferUsages::COPY_DST;
+        Self {
+            candidates: gpu.buffer("candidates", blocks * 32, copied),
+            clipped: gpu.buffer("clipped", blocks * 32, written),
+            survivors: gpu.buffer("survivors", blocks * 32, STORAGE),
+            block_counts: gpu.buffer("block_counts", blocks * 4, STORAGE),
+            block_offsets: gpu.buffer("block_offsets", blocks * 4, STORAGE),
+            counts: gpu.buffer("counts", size_of::<layout::Counts>() as u64, indirect | wgpu::BufferUsages::COPY_SRC),
+            draws: gpu.buffer("draws", chunks * 20, indirect),
+            projected: gpu.buffer("projected", vertices * 16, STORAGE),
+            projected_gradients: gpu.buffer("projected_gradients", 16, STORAGE),
+            corners: gpu.buffer("corners", u64::from(chunk_cells) * CORNER_BYTES, STORAGE | wgpu::BufferUsages::VERTEX),
+            keys: gpu.buffer("keys", tets * 4, copied),
+            order: gpu.buffer("order", tets * 4, copied | wgpu::BufferUsages::COPY_DST),
+            vertices,
+        }
+    }
+
+    /// Makes room for projected gradients, if no scene needed them before.
+    pub fn need_gradients(&mut self, gpu: &Gpu) {
+        let bytes = self.vertices * 4;
+        if self.projected_gradients.size() < bytes {
+            self.projected_gradients = gpu.buffer("projected_gradients", bytes, STORAGE);
+        }
+    }
+
+    /// Labels and buffers, for the report.
+    pub fn list(&self) -> [(&'static str, &wgpu::Buffer); 12] {
+        [
+            ("candidates", &self.candidates),
+            ("clipped", &self.clipped),
+            ("survivors", &self.survivors),
+            ("block_counts", &self.block_counts),
+            ("block_offsets", &self.block_offsets),
+            ("counts", &self.counts),
+            ("draws", &self.draws),
+            ("projected", &self.projected),
+            ("projected_gradients", &self.projected_gradients),
+            ("corners", &self.corners),
+            ("keys", &self.keys),
+            ("order", &self.order),
+        ]
+    }
+}

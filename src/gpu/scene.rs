@@ -1,0 +1,146 @@
+//! Kernels specialised for a transfer function and a kind of projection: what a scene does not use is compiled away.
+
+use crate::error::Result;
+use crate::gpu::device::{DrawKernel, Gpu, Kernel};
+use crate::gpu::transfer::TransferBuffers;
+
+/// A scene's transfer function and kernels.
+pub struct SceneKernels {
+    /// The function.
+    pub transfer: TransferBuffers,
+    /// The kind of projection.
+    pub perspective: bool,
+    /// Marks cells that the function can make visible.
+    pub candidates: Kernel,
+    /// Projects vertices.
+    pub vertices: Kernel,
+    /// Drops cells outside the picture.
+    cull: Kernel,
+    /// The same where the near plane cuts cells; made when it first does.
+    cull_near: Option<Kernel>,
+    /// Counts to offsets.
+    pub compact: Kernel,
+    /// Lists survivors and their keys.
+    pub keys: Kernel,
+    /// Corners of a chunk.
+    pub project: Kernel,
+    /// Draws a chunk.
+    pub raster: DrawKernel,
+    /// Finishes the picture.
+    pub resolve: DrawKernel,
+    /// f16 only.
+    pub slabs: Option<SlabKernels>,
+    constants: Vec<(&'static str, f64)>,
+}
+
+/// What blending in slabs needs.
+pub struct SlabKernels {
+    /// A slab over those behind it.
+    pub resolve: DrawKernel,
+    /// The most layers in a slab.
+    pub layers: Kernel,
+}
+
+/// Colour behind is scaled by the transmittance (in the source's alpha), and so is the transmittance behind.
+const BACK_TO_FRONT: wgpu::BlendState = wgpu::BlendState {
+    color: wgpu::BlendComponent {
+        src_factor: wgpu::BlendFactor::One,
+        dst_factor: wgpu::BlendFactor::SrcAlpha,
+        operation: wgpu::BlendOperation::Add,
+    },
+    alpha: wgpu::BlendComponent {
+        src_factor: wgpu::BlendFactor::Zero,
+        dst_factor: wgpu::BlendFactor::SrcAlpha,
+        operation: wgpu::BlendOperation::Add,
+    },
+};
+
+const ADD: wgpu::BlendComponent = wgpu::BlendComponent {
+    src_factor: wgpu::BlendFactor::One,
+    dst_factor: wgpu::BlendFactor::One,
+    operation: wgpu::BlendOperation::Add,
+};
+
+impl SceneKernels {
+    /// Compiles. `f16`: blend into rgba16float and count layers; `extra`: constants of the renderer.
+    ///
+    /// # Errors
+    /// A shader that does not compile.
+    pub fn new(
+        gpu: &Gpu,
+        transfer: TransferBuffers,
+        perspective: bool,
+        f16: bool,
+        extra: &[(&'static str, f64)],
+    ) -> Result<Self> {
+        let flag = |b: bool| f64::from(u8::from(b));
+        let mut constants = transfer.constants.clone();
+        constants.extend_from_slice(extra);
+        constants.push(("PERSPECTIVE", flag(perspective)));
+        let slab_constants = [&constants[..], &[("SLAB", 1.0)]].concat();
+        let target = |format, blend| Some(wgpu::ColorTargetState { format, blend, write_mask: wgpu::ColorWrites::ALL });
+        let f32_target = |blend| target(wgpu::TextureFormat::Rgba32Float, blend);
+        let blend_targets = if f16 {
+            let count = wgpu::BlendState { color: ADD, alpha: ADD };
+            vec![
+                target(wgpu::TextureFormat::Rgba16Float, Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING)),
+                target(wgpu::TextureFormat::R16Float, Some(count)),
+            ]
+        } else {
+            vec![f32_target(Some(BACK_TO_FRONT))]
+        };
+        let attributes = wgpu::vertex_attr_array![
+            0 => Float32x2, 1 => Float32x2, 2 => Float32x3, 3 => Float32x2, 4 => Float32x2
+        ];
+        let (entries, used) = match (transfer.bivariate, f16) {
+            (false, false) => (["vertex", "fragment"], 4),
+            (false, true) => (["vertex", "fragment_counted"], 4),
+            (true, false) => (["vertex_bivariate", "fragment_bivariate"], 5),
+            (true, true) => (["vertex_bivariate", "fragment_bivariate_counted"], 5),
+        };
+        let corners = wgpu::VertexBufferLayout {
+            array_stride: attributes[used - 1].offset + attributes[used - 1].format.size(),
+            step_mode: wgpu::VertexStepMode::Vertex,
+            attributes: &attributes[..used],
+        };
+        let full = ["vertex", "fragment"];
+        Ok(Self {
+            perspective,
+            candidates: gpu.kernel("candidates", &constants)?,
+            vertices: gpu.kernel("vertices", &constants)?,
+            cull: gpu.kernel("cull", &constants)?,
+            cull_near: None,
+            compact: gpu.kernel("compact", &constants)?,
+            keys: gpu.kernel("keys", &constants)?,
+            project: gpu.kernel("project", &constants)?,
+            raster: gpu.draw_kernel("raster", entries, &constants, &blend_targets, &[Some(corners)])?,
+            resolve: gpu.draw_kernel("resolve", full, &constants, &[f32_target(None)], &[])?,
+            slabs: match f16 {
+                false => None,
+                true => Some(SlabKernels {
+                    resolve: gpu.draw_kernel("resolve", full, &slab_constants, &[f32_target(None)], &[])?,
+                    layers: gpu.kernel("layers", &[])?,
+                }),
+            },
+            transfer,
+            constants,
+        })
+    }
+
+    /// Makes the cull pass of frames in which the near plane cuts cells.
+    ///
+    /// # Errors
+    /// A shader that does not compile.
+    pub fn need_near_cut(&mut self, gpu: &Gpu) -> Result<()> {
+        if self.cull_near.is_none() {
+            let constants = [&self.constants[..], &[("NEAR_CUT", 1.0)]].concat();
+            self.cull_near = Some(gpu.kernel("cull", &constants)?);
+        }
+        Ok(())
+    }
+
+    /// The cull pass; `near_cut` only after [`Self::need_near_cut`].
+    pub fn cull(&self, near_cut: bool) -> &Kernel {
+        self.cull_near.as_ref().filter(|_| near_cut).unwrap_or(&self.cull)
+    }
+}
