@@ -1,0 +1,143 @@
+//! What the host writes is what the shaders read: every struct of `gpu::layout` against naga's layout of it.
+
+use std::collections::BTreeSet;
+
+use tetralux::gpu::layout;
+use tetralux::gpu::shader::{Module, pass_names};
+
+/// A struct as Rust lays it out.
+struct Host {
+    name: &'static str,
+    size: usize,
+    /// In order: name and offset in bytes.
+    members: Vec<(&'static str, usize)>,
+}
+
+/// Lists a struct's fields; leaving one out does not compile.
+macro_rules! host {
+    ($ty:ident { $($field:ident),* $(,)? }) => {{
+        let layout::$ty { $($field: _),* } = layout::$ty::default();
+        Host {
+            name: stringify!($ty),
+            size: size_of::<layout::$ty>(),
+            members: vec![$((stringify!($field), std::mem::offset_of!(layout::$ty, $field))),*],
+        }
+    }};
+}
+
+fn hosts() -> Vec<Host> {
+    vec![
+        host!(Frame {
+            eye_high,
+            tet_count,
+            eye_low,
+            vertex_count,
+            x_row,
+            pixel_width,
+            y_row,
+            pixel_height,
+            forward,
+            ray_scale_x,
+            ray_scale_y,
+            ray_offset_x,
+            ray_offset_y,
+            chunk_cells,
+            background,
+        }),
+        host!(Range { first_tet, tet_count, pad_a, pad_b }),
+        host!(Counts { survivors, sort_tiles, pad_a, pad_b, sort_groups_x, sort_groups_y, sort_groups_z, pad_c }),
+        host!(Widget {
+            whiten,
+            center,
+            extinction,
+            shape,
+            color,
+            pad,
+            scalar_low,
+            scalar_high,
+            gradient_low,
+            gradient_high,
+        }),
+        host!(Piece { low, slope, scalar_low, scalar_high, pad_a, pad_b }),
+        host!(Chunk { first_cell, cells, pad_a, pad_b }),
+    ]
+}
+
+/// What differs between the host's and the shader's struct.
+fn difference(host: &Host, size: u32, members: &[(String, u32)]) -> Option<String> {
+    if size as usize != host.size {
+        return Some(format!("{} has {} bytes on the host and {size} in the shader", host.name, host.size));
+    }
+    let theirs: Vec<(&str, usize)> = members.iter().map(|(name, at)| (name.as_str(), *at as usize)).collect();
+    (theirs != host.members).then(|| format!("{}: host {:?}, shader {theirs:?}", host.name, host.members))
+}
+
+/// Structs that the module's buffers hold, at any depth.
+fn structs_in_buffers(module: &naga::Module) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    let mut next: Vec<_> =
+        module.global_variables.iter().filter(|(_, v)| v.binding.is_some()).map(|(_, v)| v.ty).collect();
+    while let Some(handle) = next.pop() {
+        let ty = &module.types[handle];
+        match &ty.inner {
+            naga::TypeInner::Array { base, .. } => next.push(*base),
+            naga::TypeInner::Struct { members, .. } => {
+                names.extend(ty.name.clone());
+                next.extend(members.iter().map(|m| m.ty));
+            }
+            _ => {}
+        }
+    }
+    names
+}
+
+#[test]
+fn hosts_and_shaders_agree() {
+    let hosts = hosts();
+    let mut seen = BTreeSet::new();
+    for pass in pass_names() {
+        let module = Module::new(pass).expect("a pass");
+        for host in &hosts {
+            if let Some((size, members)) = module.struct_layout(host.name) {
+                assert_eq!(difference(host, size, &members), None, "in '{pass}'");
+                seen.insert(host.name.to_owned());
+            }
+        }
+        for name in structs_in_buffers(&module.naga) {
+            assert!(hosts.iter().any(|h| h.name == name), "'{pass}' binds {name}, which src/gpu/layout.rs lacks");
+        }
+    }
+    let listed: BTreeSet<String> = hosts.iter().map(|h| h.name.to_owned()).collect();
+    assert_eq!(seen, listed, "every struct of src/gpu/layout.rs is some shader's");
+}
+
+#[test]
+fn planted_differences_are_found() {
+    let host = host!(Piece { low, slope, scalar_low, scalar_high, pad_a, pad_b });
+    let layout_of = |members: &str| {
+        let source = format!("struct Piece {{ {members} }} @group(0) @binding(0) var<uniform> piece: Piece;");
+        let module = naga::front::wgsl::parse_str(&source).expect("a struct");
+        assert!(structs_in_buffers(&module).contains("Piece"));
+        let name = "planted";
+        Module { name, source, bindings: Vec::new(), naga: module }.struct_layout("Piece").expect("a struct")
+    };
+    let check = |members: &str| {
+        let (size, members) = layout_of(members);
+        difference(&host, size, &members)
+    };
+    let sound = "low: vec4f, slope: vec4f, scalar_low: f32, scalar_high: f32, pad_a: f32, pad_b: f32,";
+    assert_eq!(check(sound), None);
+    for (what, members) in [
+        ("exchanged", sound.replace("low: vec4f, slope: vec4f", "slope: vec4f, low: vec4f")),
+        ("renamed", sound.replace("scalar_high", "scalar_top")),
+        ("moved", sound.replace("scalar_low: f32, scalar_high", "scalar_high: f32, scalar_low")),
+        ("padded", sound.replace("pad_b: f32", "pad_b: vec4f")),
+        (
+            "of another alignment",
+            sound.replace("scalar_low: f32, scalar_high: f32, pad_a: f32,", "scalar_low: f32, scalar_high: vec2f,"),
+        ),
+        ("missing", sound.replace("pad_b: f32,", "")),
+    ] {
+        assert!(check(&members).is_some(), "a member {what} went unseen: {members}");
+    }
+}
