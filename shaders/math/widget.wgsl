@@ -8,11 +8,11 @@
 fn gaussian_mean(p_front: real2, p_back: real2) -> real {
     let step = p_back - p_front;
     let extent = length(step);
-    // A point has no direction, yet a distance: any direction splits it into `v` and `q`.
-    let along = select(real2(1.0, 0.0), step / max(extent, 1e-18), extent > 1e-18);
+    // A segment without extent may run any way.
+    let along = select(real2(1.0, 0.0), step / max(extent, 1e-18), vec2<bool>(extent > 1e-18));
     // From the end nearer to the centre: rounding is relative to its coordinates.
     let from_back = dot(p_back, p_back) < dot(p_front, p_front);
-    let near_end = select(p_front, -p_back, from_back);
+    let near_end = select(p_front, -p_back, vec2<bool>(from_back));
     let v_start = dot(near_end, along);
     let across = near_end.x * along.y - near_end.y * along.x;
     let q = across * across;
