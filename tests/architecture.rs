@@ -241,10 +241,7 @@ fn modules_use_only_what_is_below_them() {
 #[test]
 fn other_files_are_short_too() {
     for (file, text) in texts("tests", "rs").into_iter().chain(texts("shaders", "wgsl")) {
-        // The translation of shaders/math is no one's to read.
-        if file != "tests/kernels/translated.rs" {
-            assert!(text.lines().count() <= LONGEST, "{file} has {} lines", text.lines().count());
-        }
+        assert!(text.lines().count() <= LONGEST, "{file} has {} lines", text.lines().count());
     }
 }
 

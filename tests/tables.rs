@@ -1,0 +1,185 @@
+//! Constants: the shaders' literals are those of `tables/coefficients.json`, and these keep what they promise.
+
+#[path = "common/kernels.rs"]
+#[expect(dead_code, reason = "the sweeps are for the tests of the shaders")]
+mod kernels;
+
+use std::collections::BTreeMap;
+
+use kernels::{erfcx, gauss_legendre, phi_one};
+use serde::Deserialize;
+use tetralux::gpu::shader::compose;
+
+#[derive(Deserialize)]
+#[serde(untagged, deny_unknown_fields)]
+enum Table {
+    Polynomial {
+        /// Shader file and function.
+        function: String,
+        meaning: String,
+        source: String,
+        range: [f64; 2],
+        relative_error_f32: f64,
+        coefficients: Vec<f64>,
+    },
+    Quadrature {
+        function: String,
+        meaning: String,
+        source: String,
+        nodes: Vec<f64>,
+        weights: Vec<f64>,
+    },
+}
+
+fn tables() -> BTreeMap<String, Table> {
+    serde_json::from_str(include_str!("../tables/coefficients.json")).expect("tables")
+}
+
+/// The numbers in a shader function's body as the device sees them, without signs.
+fn literals(file: &str, function: &str) -> Vec<f32> {
+    let source = compose(file).expect("a shader file");
+    let start = source.find(&format!("fn {function}(")).unwrap_or_else(|| panic!("{file} has no {function}"));
+    let body = source[start..].split("\n}").next().unwrap_or_default();
+    let is_number = |word: &str| word.starts_with(|c: char| c.is_ascii_digit());
+    body.lines()
+        .filter_map(|line| line.split("//").next())
+        .flat_map(|line| line.split(|c: char| !(c.is_alphanumeric() || c == '.' || c == '_')))
+        .filter(|word| is_number(word))
+        .map(|word| word.parse().unwrap_or_else(|e| panic!("{function}: {word}: {e}")))
+        .collect()
+}
+
+/// True where the polynomial's coefficients follow each other among the literals.
+fn holds_polynomial(literals: &[f32], coefficients: &[f64]) -> bool {
+    let wanted: Vec<f32> = coefficients.iter().map(|c| c.abs() as f32).collect();
+    literals.windows(wanted.len()).any(|window| window == wanted)
+}
+
+/// True where all the numbers occur among the literals.
+fn holds_all(literals: &[f32], numbers: &[f64]) -> bool {
+    numbers.iter().all(|&n| literals.contains(&(n as f32)))
+}
+
+/// Horner's rule in f32.
+fn horner(coefficients: &[f64], x: f32) -> f32 {
+    coefficients.iter().rev().fold(0.0, |sum, &c| sum * x + c as f32)
+}
+
+/// The largest relative error of a polynomial, evaluated in f32, over its range.
+fn worst_error(name: &str, coefficients: &[f64], range: [f64; 2]) -> f64 {
+    // Even steps, and steps of the logarithm: the range of erfcx is long.
+    let [low, high] = range;
+    let steps = 20_000;
+    (0..=2 * steps)
+        .map(|i| {
+            let t = f64::from(i / 2) / f64::from(steps);
+            let x =
+                if i % 2 == 0 { low + (high - low) * t } else { low + (high - low) * (1e-8f64).powf(1.0 - t) } as f32;
+            let (got, want) = match name {
+                "erfcx" => (horner(coefficients, (x - 2.0) / (x + 2.0)) / (1.0 + 2.0 * x), erfcx(f64::from(x))),
+                "phi_one" | "phi_one_half" => (horner(coefficients, x), phi_one(f64::from(x))),
+                _ => panic!("'{name}' has no definition here"),
+            };
+            let error = ((f64::from(got) - want) / want).abs();
+            if error.is_nan() { f64::INFINITY } else { error }
+        })
+        .fold(0.0, f64::max)
+}
+
+/// The largest error of the rule over the powers that it should integrate exactly.
+fn quadrature_error(nodes: &[f64], weights: &[f64]) -> f64 {
+    (0..2 * nodes.len() as i32)
+        .map(|k| {
+            let sum: f64 = nodes.iter().zip(weights).map(|(x, w)| w * x.powi(k)).sum();
+            (sum - 1.0 / f64::from(k + 1)).abs()
+        })
+        .fold(0.0, f64::max)
+}
+
+fn place(function: &str) -> (&str, &str) {
+    function.split_once(' ').expect("a file and a function")
+}
+
+#[test]
+fn shaders_hold_the_tables_numbers() {
+    for (name, table) in tables() {
+        match table {
+            Table::Polynomial { function, coefficients, .. } => {
+                let (file, function) = place(&function);
+                assert!(holds_polynomial(&literals(file, function), &coefficients), "{name} in {file}");
+            }
+            Table::Quadrature { function, nodes, weights, .. } => {
+                let (file, function) = place(&function);
+                let literals = literals(file, function);
+                assert!(holds_all(&literals, &nodes) && holds_all(&literals, &weights), "{name} in {file}");
+            }
+        }
+    }
+}
+
+#[test]
+fn polynomials_hold_their_errors() {
+    let mut seen = 0;
+    for (name, table) in tables() {
+        if let Table::Polynomial { coefficients, range, relative_error_f32, .. } = table {
+            let error = worst_error(&name, &coefficients, range);
+            // Measured: erfcx 2.66e-7, phi_one 1.27e-7, phi_one_half 1.52e-7.
+            assert!(error <= relative_error_f32, "{name}: {error:e}");
+            // The stated error is no guess either.
+            assert!(error >= 0.5 * relative_error_f32, "{name}: {error:e} is far below what is stated");
+            seen += 1;
+        }
+    }
+    assert_eq!(seen, 3);
+}
+
+#[test]
+fn rules_are_exact() {
+    for (name, table) in tables() {
+        if let Table::Quadrature { nodes, weights, .. } = table {
+            let error = quadrature_error(&nodes, &weights);
+            // Measured: 3.3e-16 at most.
+            assert!(error <= 5e-16, "{name}: {error:e}");
+            let rule = gauss_legendre(nodes.len());
+            assert!(rule.iter().zip(&nodes).all(|(r, x)| (r[0] - x).abs() <= 2e-16), "{name}: {rule:?}");
+        }
+    }
+}
+
+#[test]
+fn everything_is_explained() {
+    let readme = include_str!("../tables/README.md");
+    for (name, table) in tables() {
+        assert!(readme.contains(&format!("`{name}`")), "tables/README.md lacks {name}");
+        let (Table::Polynomial { meaning, source, .. } | Table::Quadrature { meaning, source, .. }) = table;
+        assert!(!meaning.is_empty() && !source.is_empty(), "{name}");
+    }
+}
+
+#[test]
+fn damaged_tables_are_rejected() {
+    for (name, table) in tables() {
+        match table {
+            Table::Polynomial { function, range, relative_error_f32, coefficients, .. } => {
+                let (file, function) = place(&function);
+                for i in 0..coefficients.len() {
+                    let mut damaged = coefficients.clone();
+                    damaged[i] = f64::from((damaged[i] as f32).next_up());
+                    assert!(!holds_polynomial(&literals(file, function), &damaged), "{name} {i}");
+                }
+                let mut damaged = coefficients.clone();
+                damaged[1] *= 1.0 + 2e-5;
+                assert!(worst_error(&name, &damaged, range) > relative_error_f32, "{name}");
+                damaged[1] = f64::NAN;
+                assert!(worst_error(&name, &damaged, range) > relative_error_f32, "{name}: NaN");
+            }
+            Table::Quadrature { function, nodes, mut weights, .. } => {
+                weights[1] += 2e-15;
+                assert!(quadrature_error(&nodes, &weights) > 5e-16, "{name}");
+                weights[1] += 1e-7;
+                let (file, function) = place(&function);
+                assert!(!holds_all(&literals(file, function), &weights), "{name}");
+            }
+        }
+    }
+}
