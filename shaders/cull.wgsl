@@ -5,7 +5,7 @@
 
 @group(1) @binding(0) var<storage, read> tets: array<vec4u>; // of the range
 @group(2) @binding(0) var<storage, read> candidates: array<u32>; // one bit a cell of the range
-@group(3) @binding(1) var<storage, read> projected: array<vec4f>;
+@group(3) @binding(1) var<storage, read> projected: array<vec2f>;
 @group(3) @binding(2) var<storage, read> clipped: array<u32>; // one bit a cell: cut by the near plane, drawn as pieces
 @group(3) @binding(3) var<storage, read_write> survivors: array<u32>; // one bit a cell of the range
 @group(3) @binding(4) var<storage, read_write> block_counts: array<u32>; // one a block of the range
@@ -18,10 +18,10 @@ const SNAP: f32 = 0.0078125;
 var<workgroup> block_flags: array<atomic<u32>, 8>;
 
 fn covers_a_pixel(tet: vec4u) -> bool {
-    let a = projected[tet.x].xy;
-    let b = projected[tet.y].xy;
-    let c = projected[tet.z].xy;
-    let d = projected[tet.w].xy;
+    let a = projected[tet.x];
+    let b = projected[tet.y];
+    let c = projected[tet.z];
+    let d = projected[tet.w];
     let size = vec2f(frame.pixel_width, frame.pixel_height);
     let low = (min(min(a, b), min(c, d)) * 0.5 + 0.5) * size;
     let high = (max(max(a, b), max(c, d)) * 0.5 + 0.5) * size;

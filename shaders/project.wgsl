@@ -18,11 +18,12 @@
 @group(3) @binding(0) var<uniform> chunk: Chunk;
 @group(3) @binding(1) var<storage, read> counts: Counts;
 @group(3) @binding(2) var<storage, read> order: array<u32>; // cells, back to front
-@group(3) @binding(3) var<storage, read> projected: array<vec4f>;
-@group(3) @binding(4) var<storage, read> projected_gradients: array<f32>;
-// Four corners a cell; per corner: clip xy; 1/z and scalar/z; three tent functions; at the apex, the thickness (negative
-// where the front is the interpolated side) and the change of scalar/z from the interpolated to the other side; with
-// BIVARIATE gradient/z and its change.
+@group(3) @binding(3) var<storage, read> projected: array<vec2f>;
+// Four corners a cell; per corner: clip xy; 1/z and scalar/z; its peak (see `raster`); then, of the first corner alone, at the
+// apex, the thickness (negative where the front is the interpolated side) and
+// the change of scalar/z from the interpolated to the other side; with BIVARIATE gradient/z and its change.
+//
+// Few and plain stores: on software adapters each costs as much as a hundred operations.
 @group(3) @binding(5) var<storage, read_write> corners: array<f32>;
 
 struct Chunk {
@@ -70,8 +71,8 @@ fn outline(front: vec4<bool>, count: u32) -> vec4u {
     return vec4u(0u, 1u, 2u, 0u);
 }
 
-const FLOATS: u32 = 9u;
-const BIVARIATE_FLOATS: u32 = 11u;
+const FLOATS: u32 = 7u;
+const BIVARIATE_FLOATS: u32 = 9u;
 
 struct Apex {
     thickness: f32,
@@ -79,21 +80,16 @@ struct Apex {
     gradient_change: f32,
 }
 
-fn put_corner(place: u32, corner: u32, vertex: u32, tent: vec3f, apex: Apex) {
-    let p = projected[vertex];
-    let at = (place * 4u + corner) * select(FLOATS, BIVARIATE_FLOATS, BIVARIATE);
-    corners[at] = p.x;
-    corners[at + 1u] = p.y;
-    corners[at + 2u] = p.z;
-    corners[at + 3u] = p.w;
-    corners[at + 4u] = tent.x;
-    corners[at + 5u] = tent.y;
-    corners[at + 6u] = tent.z;
-    corners[at + 7u] = apex.thickness;
-    corners[at + 8u] = apex.scalar_change;
+fn put_corner(at: u32, vertex: u32, inverse_depth: f32, scalar: f32, gradient: f32, peak: f32) {
+    // Bits that all cells around the vertex share: rasterisation is watertight.
+    let clip = projected[vertex];
+    corners[at] = clip.x;
+    corners[at + 1u] = clip.y;
+    corners[at + 2u] = inverse_depth;
+    corners[at + 3u] = scalar * inverse_depth;
+    corners[at + 4u] = peak;
     if BIVARIATE {
-        corners[at + 9u] = projected_gradients[vertex];
-        corners[at + 10u] = apex.gradient_change;
+        corners[at + 7u] = gradient * inverse_depth;
     }
 }
 
@@ -138,9 +134,10 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         apex.thickness = abs(volume) * scales.x;
     }
     let scalars = vec4f(p0.w, p1.w, p2.w, p3.w);
+    var g = vec4f(0.0);
     apex.scalar_change = dot(back_weights, scalars) * scales.y - dot(front_weights, scalars) * scales.x;
     if BIVARIATE {
-        let g = vec4f(gradients[tet.x], gradients[tet.y], gradients[tet.z], gradients[tet.w]);
+        g = vec4f(gradients[tet.x], gradients[tet.y], gradients[tet.z], gradients[tet.w]);
         apex.gradient_change = dot(back_weights, g) * scales.y - dot(front_weights, g) * scales.x;
     }
     let count = u32(front.x) + u32(front.y) + u32(front.z) + u32(front.w);
@@ -153,20 +150,23 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     }
     // The apex as a mean of the corners on screen; a tent function is 1 / (share of its corner) there and 0 elsewhere.
     var shares = select(front_weights * scales.x, back_weights * scales.y, count == 1u);
+    var inverse_depths = vec4f(1.0);
     if PERSPECTIVE {
-        shares *= vec4f(dot(frame.forward, v0), dot(frame.forward, v1), dot(frame.forward, v2), dot(frame.forward, v3));
+        let depths = vec4f(dot(frame.forward, v0), dot(frame.forward, v1), dot(frame.forward, v2), dot(frame.forward, v3));
+        shares *= depths;
+        inverse_depths = 1.0 / max(depths, vec4f(1e-30));
     }
-    let peaks = 1.0 / max(shares, vec4f(1e-7));
+    let peaks = select(1.0, -1.0, count == 2u) / max(shares, vec4f(1e-7));
     let ring = outline(front, count);
-    if count == 2u {
-        put_corner(place, 0u, tet[ring.x], vec3f(peaks[ring.x], 0.0, 2.0), apex);
-        put_corner(place, 1u, tet[ring.y], vec3f(0.0, 0.0, 2.0), apex);
-        put_corner(place, 2u, tet[ring.z], vec3f(0.0, peaks[ring.z], 2.0), apex);
-        put_corner(place, 3u, tet[ring.w], vec3f(0.0, 0.0, 2.0), apex);
-    } else {
-        put_corner(place, 0u, tet[ring.x], vec3f(peaks[ring.x], 0.0, 0.0), apex);
-        put_corner(place, 1u, tet[ring.y], vec3f(0.0, peaks[ring.y], 0.0), apex);
-        put_corner(place, 2u, tet[ring.z], vec3f(0.0, 0.0, peaks[ring.z]), apex);
-        put_corner(place, 3u, tet[ring.w], vec3f(peaks[ring.x], 0.0, 0.0), apex);
+    let size = select(FLOATS, BIVARIATE_FLOATS, BIVARIATE);
+    let at = place * 4u * size;
+    put_corner(at, tet[ring.x], inverse_depths[ring.x], scalars[ring.x], g[ring.x], peaks[ring.x]);
+    put_corner(at + size, tet[ring.y], inverse_depths[ring.y], scalars[ring.y], g[ring.y], peaks[ring.y]);
+    put_corner(at + 2u * size, tet[ring.z], inverse_depths[ring.z], scalars[ring.z], g[ring.z], peaks[ring.z]);
+    put_corner(at + 3u * size, tet[ring.w], inverse_depths[ring.w], scalars[ring.w], g[ring.w], peaks[ring.w]);
+    corners[at + 5u] = apex.thickness;
+    corners[at + 6u] = apex.scalar_change;
+    if BIVARIATE {
+        corners[at + 8u] = apex.gradient_change;
     }
 }

@@ -4,7 +4,7 @@ use crate::gpu::device::Gpu;
 use crate::gpu::layout;
 
 /// Bytes of a cell's four corners with gradients.
-const CORNER_BYTES: u64 = 4 * 44;
+const CORNER_BYTES: u64 = 4 * 36;
 
 const STORAGE: wgpu::BufferUsages = wgpu::BufferUsages::STORAGE;
 
@@ -24,17 +24,14 @@ pub struct CellBuffers {
     pub counts: wgpu::Buffer,
     /// Arguments of an indexed draw a chunk.
     pub draws: wgpu::Buffer,
-    /// Clip position, 1/z and scalar/z of each vertex.
+    /// Clip position of each vertex.
     pub projected: wgpu::Buffer,
-    /// Gradient magnitude/z of each vertex; 16 bytes until a scene needs it.
-    pub projected_gradients: wgpu::Buffer,
     /// Corners of one chunk's cells.
     pub corners: wgpu::Buffer,
     /// Sort keys of the survivors.
     pub keys: wgpu::Buffer,
     /// The survivors, sorted back to front.
     pub order: wgpu::Buffer,
-    vertices: u64,
 }
 
 impl CellBuffers {
@@ -53,25 +50,15 @@ impl CellBuffers {
             block_offsets: gpu.buffer("block_offsets", blocks * 4, STORAGE),
             counts: gpu.buffer("counts", size_of::<layout::Counts>() as u64, indirect | wgpu::BufferUsages::COPY_SRC),
             draws: gpu.buffer("draws", chunks * 20, indirect),
-            projected: gpu.buffer("projected", vertices * 16, STORAGE),
-            projected_gradients: gpu.buffer("projected_gradients", 16, STORAGE),
+            projected: gpu.buffer("projected", vertices * 8, STORAGE),
             corners: gpu.buffer("corners", u64::from(chunk_cells) * CORNER_BYTES, STORAGE | wgpu::BufferUsages::VERTEX),
             keys: gpu.buffer("keys", tets * 4, copied),
             order: gpu.buffer("order", tets * 4, copied | wgpu::BufferUsages::COPY_DST),
-            vertices,
-        }
-    }
-
-    /// Makes room for projected gradients, if no scene needed them before.
-    pub fn need_gradients(&mut self, gpu: &Gpu) {
-        let bytes = self.vertices * 4;
-        if self.projected_gradients.size() < bytes {
-            self.projected_gradients = gpu.buffer("projected_gradients", bytes, STORAGE);
         }
     }
 
     /// Labels and buffers, for the report.
-    pub fn list(&self) -> [(&'static str, &wgpu::Buffer); 12] {
+    pub fn list(&self) -> [(&'static str, &wgpu::Buffer); 11] {
         [
             ("candidates", &self.candidates),
             ("clipped", &self.clipped),
@@ -81,7 +68,6 @@ impl CellBuffers {
             ("counts", &self.counts),
             ("draws", &self.draws),
             ("projected", &self.projected),
-            ("projected_gradients", &self.projected_gradients),
             ("corners", &self.corners),
             ("keys", &self.keys),
             ("order", &self.order),

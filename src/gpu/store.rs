@@ -97,10 +97,9 @@ impl Store {
         [("TET_PARTS", parts), ("TETS_A_PART", f64::from(self.part))]
     }
 
-    /// Uploads gradient magnitudes and makes room for projected ones, if no scene needed them before.
+    /// Uploads gradient magnitudes, if no scene needed them before.
     pub fn need_gradients(&mut self, gpu: &Gpu, mesh: &TetMesh) {
         self.mesh.need_gradients(gpu, mesh, self.spare_vertices);
-        self.cells.need_gradients(gpu);
     }
 
     /// Puts the near plane's pieces behind the mesh. They must fit.
@@ -181,7 +180,7 @@ fn pieces_start(tets: u32) -> u32 {
 }
 
 /// Cells projected and drawn at a time; their corners are made anew for each chunk. At most an eighth of the mesh, so
-/// that corners cost at most 22 bytes a tetrahedron of meshes above 131,072.
+/// that corners cost at most 18 bytes a tetrahedron of meshes above 131,072.
 fn chunk_cells(tets: u32) -> u32 {
     (1u32 << (tets / 8).max(1).ilog2()).clamp(16_384, 262_144).min(tets.max(1).next_multiple_of(256))
 }
