@@ -1,4 +1,49 @@
-//! Direct volume rendering of unstructured meshes with bivariate transfer functions.
+//! Direct volume rendering of unstructured meshes with transfer functions of a scalar and its gradient magnitude.
+//!
+//! ```text
+//! file --mesh::read--> Mesh --TetMesh::new--> TetMesh + Census
+//! TetMesh + Scene --Renderer--> Image + Stats --Comparison--> numbers
+//! ```
+//!
+//! Each module uses only those before it; `tests/architecture.rs` checks that.
+//!
+//! | module | what lives there |
+//! | --- | --- |
+//! | [`error`], [`space`] | one error type; boxes, rays, intervals |
+//! | [`mesh`] | what a file said: one reader per format ([`mesh::read`]), no geometry; [`mesh::synth`] makes meshes |
+//! | [`tet`] | what a renderer needs, whatever the view: [`tet::TetMesh`], its [`tet::Census`], adjacency, histogram |
+//! | [`scene`] | what the user chose: [`scene::Camera`], [`scene::TransferFunction`], the scene file |
+//! | [`plan`] | what a view implies, without colour: the near plane's cuts, the order of cells |
+//! | [`image`] | linear pictures, PNG and EXR, [`image::Comparison`] |
+//! | [`renderer`] | [`renderer::Renderer`] and the closed sets of choices |
+//! | [`oracle`] | the integral in f64 by quadrature: the truth, and the renderer of machines without a driver |
+//! | [`gpu`] | projection on wgpu: the only module that knows of it; its passes are the files of `shaders/` |
+//! | `cli` | the command line (feature `cli`): arguments, jobs, one file a command |
+//!
+//! # From a file to a picture
+//!
+//! ```no_run
+//! use std::{path::Path, sync::Arc};
+//! use tetralux::gpu::{DeviceChoice, Gpu, GpuRenderer};
+//! use tetralux::image::PngEncoding;
+//! use tetralux::mesh::{self, ReadOptions};
+//! use tetralux::renderer::{Frame, Renderer, Settings};
+//! use tetralux::scene::Scene;
+//! use tetralux::tet::{FieldChoice, HexSplit, TetMesh};
+//!
+//! # fn main() -> tetralux::Result<()> {
+//! let mesh = mesh::read(Path::new("examples/data/fire_ug.vtu"), &ReadOptions::default())?;
+//! let (mesh, census) = TetMesh::new(mesh, &FieldChoice::parse("t"), HexSplit::default())?;
+//! let scene = Scene::read(Some(Path::new("examples/fire.toml")), &[])?;
+//! let (camera, transfer) = scene.resolve(&mesh)?;
+//! let mut renderer = GpuRenderer::new(Gpu::new(DeviceChoice::Any)?, Arc::new(mesh), Settings::default())?;
+//! let background = scene.premultiplied_background();
+//! let frame = Frame { camera: &camera, transfer: &transfer, size: scene.size, background };
+//! let rendered = renderer.render(&frame, false)?;
+//! rendered.image.write(Path::new("fire.png"), PngEncoding::Srgb)?;
+//! # Ok(())
+//! # }
+//! ```
 
 #[cfg(feature = "cli")]
 pub mod cli;
