@@ -19,9 +19,9 @@ const LAYERS: &[&[&str]] = &[
     &["cli", "viewer"],
 ];
 
-/// What the user chose knows no mesh; only the suggestion of a first transfer function does.
+/// What the user chose knows no mesh; only where it is applied to one, and the suggestion of a first transfer function, do.
 const SCENE_USES: [&str; 3] = ["error", "space", "tables"];
-const SUGGESTS: &str = "src/scene/suggest.rs";
+const SCENE_MEETS_MESH: [&str; 2] = ["src/scene/resolve.rs", "src/scene/suggest.rs"];
 
 /// Longest file, lines.
 const LONGEST: usize = 600;
@@ -190,7 +190,7 @@ fn may_use(file: &str, module: &str, here: usize, used: &str) -> bool {
         return true;
     }
     if module == "scene" {
-        return SCENE_USES.contains(&used) || (used == "tet" && file == SUGGESTS);
+        return SCENE_USES.contains(&used) || (used == "tet" && SCENE_MEETS_MESH.contains(&file));
     }
     layer(used).is_some_and(|there| there < here)
 }

@@ -10,7 +10,6 @@ use super::file::read_scene;
 use super::transfer::{TransferFunction, Widget, WidgetShape};
 use crate::error::{Error, Result};
 use crate::space::{Bounds, Interval};
-use crate::tet::TetMesh;
 
 /// What a scene file, and the flags over it, ask for. Every value has been checked.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,20 +114,6 @@ impl Scene {
     /// [`Error::Asked`], as [`Scene::read`].
     pub fn parse(text: &str, overrides: &[Override]) -> Result<Self> {
         read_scene(&Document::parse(text, overrides, None)?)
-    }
-
-    /// Camera and transfer function for `mesh`, both in data units.
-    ///
-    /// # Errors
-    /// [`Error::Asked`] where the camera looks nowhere (its eye at the mesh's centre, say).
-    pub fn resolve(&self, mesh: &TetMesh) -> Result<(Camera, TransferFunction)> {
-        let bounds = mesh.bounds_in_data();
-        let camera = self.camera.resolve(&bounds, f64::from(self.size[0]) / f64::from(self.size[1]))?;
-        let transfer = match &self.transfer {
-            Some(choice) => choice.resolve(mesh.scalar_range(), mesh.gradient_range()),
-            None => super::default_transfer(mesh),
-        };
-        Ok((camera, transfer))
     }
 
     /// The background as a frame wants it: linear, premultiplied.

@@ -4,6 +4,7 @@ mod camera;
 mod choice;
 mod document;
 mod file;
+mod resolve;
 mod suggest;
 mod transfer;
 
@@ -13,10 +14,3 @@ pub use document::Override;
 pub use file::MAX_WIDGETS;
 pub use suggest::suggest;
 pub use transfer::{Curve, CurveNode, TransferFunction, Widget, WidgetShape};
-
-use crate::tet::{JointHistogram, TetMesh};
-
-/// What is shown where a scene names no transfer function: widgets placed from the mesh's joint histogram.
-fn default_transfer(mesh: &TetMesh) -> TransferFunction {
-    suggest(mesh, &JointHistogram::new(mesh, [256, 256]))
-}
