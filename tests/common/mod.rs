@@ -3,10 +3,12 @@
 
 pub mod agreement;
 pub mod boxes;
+pub mod delaunay;
 pub mod gpu;
 pub mod meshes;
 pub mod npy;
 pub mod peer_scene;
+pub mod random;
 
 use std::path::PathBuf;
 
