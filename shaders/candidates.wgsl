@@ -51,7 +51,8 @@ fn triangle_holds_origin(a: vec2f, b: vec2f, c: vec2f) -> bool {
     let u = side(a, b);
     let v = side(b, c);
     let w = side(c, a);
-    return (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
+    // Without area it holds nothing that its edges miss (and the sum of the sides is its area).
+    return u + v + w != 0.0 && ((u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0));
 }
 
 // Distance of the origin from the convex hull of four points.

@@ -74,6 +74,16 @@ fn outline(front: vec4<bool>, count: u32) -> vec4u {
 const FLOATS: u32 = 7u;
 const BIVARIATE_FLOATS: u32 = 9u;
 
+// How far the rasteriser's grid moves a vertex at view position v, in mesh space: sideways, its depth stays.
+fn moved(v: vec3f, vertex: u32) -> vec3f {
+    var depth = 1.0;
+    if PERSPECTIVE {
+        depth = max(dot(frame.forward, v), 1e-30);
+    }
+    let shift = (projected[vertex] - clip_from_view(v, 1.0 / depth)) * depth;
+    return shift.x * frame.x_axis + shift.y * frame.y_axis;
+}
+
 struct Apex {
     thickness: f32,
     scalar_change: f32,
@@ -106,17 +116,27 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let p1 = vertices[tet.y];
     let p2 = vertices[tet.z];
     let p3 = vertices[tet.w];
-    let v0 = from_eye(p0.xyz);
-    let v1 = from_eye(p1.xyz);
-    let v2 = from_eye(p2.xyz);
-    let v3 = from_eye(p3.xyz);
+    let m0 = moved(from_eye(p0.xyz), tet.x);
+    let m1 = moved(from_eye(p1.xyz), tet.y);
+    let m2 = moved(from_eye(p2.xyz), tet.z);
+    let m3 = moved(from_eye(p3.xyz), tet.w);
+    let v0 = from_eye(p0.xyz) + m0;
+    let v1 = from_eye(p1.xyz) + m1;
+    let v2 = from_eye(p2.xyz) + m2;
+    let v3 = from_eye(p3.xyz) + m3;
     let e01 = p1.xyz - p0.xyz;
     let e02 = p2.xyz - p0.xyz;
     let e03 = p3.xyz - p0.xyz;
-    let volume = volumes[cell];
-    let parity = select(1.0, -1.0, volume < 0.0);
-    let mu = parity * vec4f(face_weight(v1, p2.xyz - p1.xyz, p3.xyz - p1.xyz), -face_weight(v0, e02, e03),
-                            face_weight(v0, e01, e03), -face_weight(v0, e01, e02));
+    let n01 = e01 + (m1 - m0);
+    let n02 = e02 + (m2 - m0);
+    let n03 = e03 + (m3 - m0);
+    // The moved cell's volume: the given one's, which keeps its digits in slivers, and three small differences.
+    let given = volumes[cell];
+    let parity = select(1.0, -1.0, given < 0.0);
+    let volume = parity * (given + (dot(cross(m1 - m0, e02), e03) + dot(cross(n01, m2 - m0), e03)
+        + dot(cross(n01, n02), m3 - m0)));
+    let mu = parity * vec4f(face_weight(v1, (p2.xyz - p1.xyz) + (m2 - m1), (p3.xyz - p1.xyz) + (m3 - m1)),
+                            -face_weight(v0, n02, n03), face_weight(v0, n01, n03), -face_weight(v0, n01, n02));
     let front = mu > vec4f(0.0);
     let front_weights = max(mu, vec4f(0.0));
     let back_weights = max(-mu, vec4f(0.0));
@@ -130,8 +150,9 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         scales = 1.0 / max(vec2f(front_sum, back_sum), vec2f(least));
     }
     var apex: Apex;
-    if front_sum > least && back_sum > least {
-        apex.thickness = abs(volume) * scales.x;
+    // So does one that moving its vertices to the rasteriser's grid turned inside out: smaller than that grid.
+    if front_sum > least && back_sum > least && volume > 0.0 {
+        apex.thickness = volume * scales.x;
     }
     let scalars = vec4f(p0.w, p1.w, p2.w, p3.w);
     var g = vec4f(0.0);

@@ -18,6 +18,11 @@ struct Frame {
     ray_offset_y: f32,
     // Cells that one draw covers.
     chunk_cells: u32,
+    // The mesh-space vector that moves a point by 1 in clip x at depth 1 (everywhere for an orthographic camera).
+    x_axis: vec3f,
+    pad_a: f32,
+    y_axis: vec3f,
+    pad_b: f32,
     background: vec4f,
 }
 
@@ -28,4 +33,9 @@ override PERSPECTIVE: bool = true;
 
 fn from_eye(position: vec3f) -> vec3f {
     return (position - frame.eye_high) - frame.eye_low;
+}
+
+// Clip-space x and y of a view vector, over the depth for a perspective camera.
+fn clip_from_view(v: vec3f, inverse_depth: f32) -> vec2f {
+    return vec2f(dot(frame.x_row, v), dot(frame.y_row, v)) * inverse_depth;
 }

@@ -21,6 +21,10 @@ pub struct Frame {
     pub ray_offset_x: f32,
     pub ray_offset_y: f32,
     pub chunk_cells: u32,
+    pub x_axis: [f32; 3],
+    pub pad_a: f32,
+    pub y_axis: [f32; 3],
+    pub pad_b: f32,
     pub background: [f32; 4],
 }
 

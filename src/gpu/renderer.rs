@@ -320,7 +320,7 @@ impl GpuRenderer {
         let m = &self.store.mesh;
         layout::Frame {
             eye_high: high.to_array(),
-            tet_count: pieces.map_or(m.tet_count, |p| p.range.first + p.range.count),
+            tet_count: pieces.filter(|p| p.range.count > 0).map_or(m.tet_count, |p| p.range.first + p.range.count),
             eye_low: low.to_array(),
             vertex_count: m.vertex_count + pieces.map_or(0, |p| p.vertices),
             x_row: row(basis.right, half * aspect),
@@ -333,6 +333,10 @@ impl GpuRenderer {
             ray_offset_x: (-half * aspect) as f32,
             ray_offset_y: half as f32,
             chunk_cells: self.store.chunk_cells,
+            x_axis: (basis.right * (half * aspect)).as_vec3().to_array(),
+            pad_a: 0.0,
+            y_axis: (basis.up * half).as_vec3().to_array(),
+            pad_b: 0.0,
             background: frame.background,
         }
     }
