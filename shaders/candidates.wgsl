@@ -30,7 +30,10 @@ fn curve_bound(low: f32, high: f32) -> f32 {
         }
         let inside = clamp(vec2f(low, high), vec2f(piece.scalar_low), vec2f(piece.scalar_high)) - piece.scalar_low;
         if low <= piece.scalar_high {
-            most = max(most, max(piece.low.w + inside.x * piece.slope.w, piece.low.w + inside.y * piece.slope.w));
+            let a = piece.low + inside.x * piece.slope;
+            let b = piece.low + inside.y * piece.slope;
+            let color = max(max(a, b), vec4f(1.0));
+            most = max(most, max(a.w, b.w) * max(color.r, max(color.g, color.b)));
         }
     }
     return most;
@@ -42,17 +45,18 @@ fn distance_to_edge(a: vec2f, b: vec2f) -> f32 {
     return length(a + t * ab);
 }
 
-// Negative, positive or zero as the origin lies right, left or on the line from a to b.
+// Negative, positive or zero as the origin lies right, left or on the line from a to b; exactly zero where a = b.
 fn side(a: vec2f, b: vec2f) -> f32 {
-    return a.x * b.y - a.y * b.x;
+    let ab = b - a;
+    return a.x * ab.y - a.y * ab.x;
 }
 
 fn triangle_holds_origin(a: vec2f, b: vec2f, c: vec2f) -> bool {
     let u = side(a, b);
     let v = side(b, c);
     let w = side(c, a);
-    // Without area it holds nothing that its edges miss (and the sum of the sides is its area).
-    return u + v + w != 0.0 && ((u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0));
+    // Points and lines hold nothing that their edges miss.
+    return (u != 0.0 || v != 0.0 || w != 0.0) && ((u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0));
 }
 
 // Distance of the origin from the convex hull of four points.
@@ -110,7 +114,8 @@ fn widgets_bound(p: array<vec2f, 4>) -> f32 {
             let distance = distance_to_hull(q) * 0.9999;
             most *= attenuation(distance * distance);
         }
-        sum += most;
+        // Colours above 1 count for as much more.
+        sum += most * max(1.0, max(w.color.r, max(w.color.g, w.color.b)));
     }
     return sum;
 }

@@ -12,8 +12,8 @@
 
 override NEAR_CUT: bool = false;
 
-// Rasterisers snap vertices to a grid of 1/256 pixel: a cell is dropped only beyond twice that.
-const SNAP: f32 = 0.0078125;
+// Rasterisers round positions to a grid of their own, 1/16 pixel at the coarsest: a cell is dropped only beyond that.
+const SNAP: f32 = 0.0625;
 
 var<workgroup> block_flags: array<atomic<u32>, 8>;
 
@@ -22,7 +22,7 @@ fn covers_a_pixel(tet: vec4u) -> bool {
     let b = projected[tet.y];
     let c = projected[tet.z];
     let d = projected[tet.w];
-    let size = vec2f(frame.pixel_width, frame.pixel_height);
+    let size = vec2f(frame.image_width, frame.image_height);
     let low = (min(min(a, b), min(c, d)) * 0.5 + 0.5) * size;
     let high = (max(max(a, b), max(c, d)) * 0.5 + 0.5) * size;
     let first = max(ceil(low - (0.5 + SNAP)), vec2f(0.0));

@@ -34,8 +34,9 @@ fn main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) group
         return;
     }
     let tet = tets[i];
-    let sum = from_eye(vertices[tet.x].xyz) + from_eye(vertices[tet.y].xyz) + from_eye(vertices[tet.z].xyz)
-        + from_eye(vertices[tet.w].xyz);
+    // From the reference point: all depths of a frame share the rest.
+    let sum = (vertices[tet.x].xyz - frame.reference) + (vertices[tet.y].xyz - frame.reference)
+        + (vertices[tet.z].xyz - frame.reference) + (vertices[tet.w].xyz - frame.reference);
     let rank = rank_of(i);
     keys[rank] = far_first(dot(frame.forward, sum) * 0.25);
     order[rank] = range.first_tet + i;

@@ -11,7 +11,11 @@
 // the outline and 1 at the thick vertex is the minimum of affine functions, one an edge, and
 //   thickness = tent x thickness at the apex,   back value = front value + tent x their difference at the apex
 // (or the other way round), where the side that is one plane over the triangle is interpolated. Less than half the
-// triangles, all of whose corners are vertices of the mesh: nothing can crack or fold over.
+// triangles, and no thick vertex whose rounding could fold them over.
+//
+// Rasterisers round positions to 1/256 pixel, which would give a pixel near an edge to the wrong cell: seams. So outlines
+// are drawn a hair too large, with everything extrapolated: outside the cell the tent is negative, which counts as 0.
+// Which cell a pixel is in is then decided by the tent, in f32.
 
 @group(1) @binding(0) var<storage, read> vertices: array<vec4f>;
 @group(1) @binding(1) var<storage, read> gradients: array<f32>;
@@ -19,9 +23,9 @@
 @group(3) @binding(1) var<storage, read> counts: Counts;
 @group(3) @binding(2) var<storage, read> order: array<u32>; // cells, back to front
 @group(3) @binding(3) var<storage, read> projected: array<vec2f>;
-// Four corners a cell; per corner: clip xy; 1/z and scalar/z; its peak (see `raster`); then, of the first corner alone, at the
-// apex, the thickness (negative where the front is the interpolated side) and
-// the change of scalar/z from the interpolated to the other side; with BIVARIATE gradient/z and its change.
+// Four corners a cell; per corner: clip xy; 1/z and scalar/z; three tent functions; then, of the first corner alone, at
+// the apex, the thickness (negative where the front is the interpolated side) and the change of scalar/z from the
+// interpolated to the other side; with BIVARIATE gradient/z and its change.
 //
 // Few and plain stores: on software adapters each costs as much as a hundred operations.
 @group(3) @binding(5) var<storage, read_write> corners: array<f32>;
@@ -71,18 +75,13 @@ fn outline(front: vec4<bool>, count: u32) -> vec4u {
     return vec4u(0u, 1u, 2u, 0u);
 }
 
-const FLOATS: u32 = 7u;
-const BIVARIATE_FLOATS: u32 = 9u;
-
-// How far the rasteriser's grid moves a vertex at view position v, in mesh space: sideways, its depth stays.
-fn moved(v: vec3f, vertex: u32) -> vec3f {
-    var depth = 1.0;
-    if PERSPECTIVE {
-        depth = max(dot(frame.forward, v), 1e-30);
-    }
-    let shift = (projected[vertex] - clip_from_view(v, 1.0 / depth)) * depth;
-    return shift.x * frame.x_axis + shift.y * frame.y_axis;
-}
+const FLOATS: u32 = 9u;
+const BIVARIATE_FLOATS: u32 = 11u;
+// How much larger outlines are drawn, pixels: twice the rasteriser's grid.
+const HAIR: f32 = 0.0078125;
+const NO_CUT: f32 = 2.0;
+// At most: the corners of needles would be far away.
+const LONGEST_HAIR: f32 = 64.0;
 
 struct Apex {
     thickness: f32,
@@ -90,17 +89,48 @@ struct Apex {
     gradient_change: f32,
 }
 
-fn put_corner(at: u32, vertex: u32, inverse_depth: f32, scalar: f32, gradient: f32, peak: f32) {
-    // Bits that all cells around the vertex share: rasterisation is watertight.
-    let clip = projected[vertex];
+// What is affine over a triangle of the outline, at a corner.
+struct Corner {
+    clip: vec2f,
+    // 1/z, scalar/z, gradient/z.
+    plane: vec3f,
+    tent: vec3f,
+}
+
+fn put_corner(at: u32, corner: Corner, middle: Corner, growth: f32) {
+    let clip = corner.clip + growth * (corner.clip - middle.clip);
+    let plane = corner.plane + growth * (corner.plane - middle.plane);
+    let tent = corner.tent + growth * (corner.tent - middle.tent);
     corners[at] = clip.x;
     corners[at + 1u] = clip.y;
-    corners[at + 2u] = inverse_depth;
-    corners[at + 3u] = scalar * inverse_depth;
-    corners[at + 4u] = peak;
+    corners[at + 2u] = plane.x;
+    corners[at + 3u] = plane.y;
+    corners[at + 4u] = tent.x;
+    corners[at + 5u] = tent.y;
+    corners[at + 6u] = tent.z;
     if BIVARIATE {
-        corners[at + 7u] = gradient * inverse_depth;
+        corners[at + 9u] = plane.z;
     }
+}
+
+// Distance of the line through a and b from the origin.
+fn line_distance(a: vec2f, b: vec2f) -> f32 {
+    let ab = b - a;
+    // No line: no limit.
+    let extent = length(ab);
+    return select(1e30, abs(a.x * ab.y - a.y * ab.x) / max(extent, 1e-30), extent > 0.0);
+}
+
+// By how much the outline grows about its middle, so that each edge moves out by a hair.
+fn growth_about(middle: vec2f, a: vec2f, b: vec2f, c: vec2f, d: vec2f) -> f32 {
+    let half_size = 0.5 * vec2f(frame.image_width, frame.image_height);
+    let p = (a - middle) * half_size;
+    let q = (b - middle) * half_size;
+    let r = (c - middle) * half_size;
+    let s = (d - middle) * half_size;
+    let inner = min(min(line_distance(p, q), line_distance(q, r)), min(line_distance(r, s), line_distance(s, p)));
+    let outer = max(max(length(p), length(q)), max(length(r), length(s)));
+    return min(HAIR / max(inner, 1e-30), LONGEST_HAIR / max(outer, 1e-30));
 }
 
 @compute @workgroup_size(256)
@@ -116,27 +146,17 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let p1 = vertices[tet.y];
     let p2 = vertices[tet.z];
     let p3 = vertices[tet.w];
-    let m0 = moved(from_eye(p0.xyz), tet.x);
-    let m1 = moved(from_eye(p1.xyz), tet.y);
-    let m2 = moved(from_eye(p2.xyz), tet.z);
-    let m3 = moved(from_eye(p3.xyz), tet.w);
-    let v0 = from_eye(p0.xyz) + m0;
-    let v1 = from_eye(p1.xyz) + m1;
-    let v2 = from_eye(p2.xyz) + m2;
-    let v3 = from_eye(p3.xyz) + m3;
+    let v0 = from_eye(p0.xyz);
+    let v1 = from_eye(p1.xyz);
+    let v2 = from_eye(p2.xyz);
+    let v3 = from_eye(p3.xyz);
     let e01 = p1.xyz - p0.xyz;
     let e02 = p2.xyz - p0.xyz;
     let e03 = p3.xyz - p0.xyz;
-    let n01 = e01 + (m1 - m0);
-    let n02 = e02 + (m2 - m0);
-    let n03 = e03 + (m3 - m0);
-    // The moved cell's volume: the given one's, which keeps its digits in slivers, and three small differences.
-    let given = volumes[cell];
-    let parity = select(1.0, -1.0, given < 0.0);
-    let volume = parity * (given + (dot(cross(m1 - m0, e02), e03) + dot(cross(n01, m2 - m0), e03)
-        + dot(cross(n01, n02), m3 - m0)));
-    let mu = parity * vec4f(face_weight(v1, (p2.xyz - p1.xyz) + (m2 - m1), (p3.xyz - p1.xyz) + (m3 - m1)),
-                            -face_weight(v0, n02, n03), face_weight(v0, n01, n03), -face_weight(v0, n01, n02));
+    let volume = volumes[cell];
+    let parity = select(1.0, -1.0, volume < 0.0);
+    let mu = parity * vec4f(face_weight(v1, p2.xyz - p1.xyz, p3.xyz - p1.xyz), -face_weight(v0, e02, e03),
+                            face_weight(v0, e01, e03), -face_weight(v0, e01, e02));
     let front = mu > vec4f(0.0);
     let front_weights = max(mu, vec4f(0.0));
     let back_weights = max(-mu, vec4f(0.0));
@@ -150,9 +170,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         scales = 1.0 / max(vec2f(front_sum, back_sum), vec2f(least));
     }
     var apex: Apex;
-    // So does one that moving its vertices to the rasteriser's grid turned inside out: smaller than that grid.
-    if front_sum > least && back_sum > least && volume > 0.0 {
-        apex.thickness = volume * scales.x;
+    if front_sum > least && back_sum > least {
+        apex.thickness = abs(volume) * scales.x;
     }
     let scalars = vec4f(p0.w, p1.w, p2.w, p3.w);
     var g = vec4f(0.0);
@@ -171,23 +190,47 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     }
     // The apex as a mean of the corners on screen; a tent function is 1 / (share of its corner) there and 0 elsewhere.
     var shares = select(front_weights * scales.x, back_weights * scales.y, count == 1u);
-    var inverse_depths = vec4f(1.0);
-    if PERSPECTIVE {
-        let depths = vec4f(dot(frame.forward, v0), dot(frame.forward, v1), dot(frame.forward, v2), dot(frame.forward, v3));
-        shares *= depths;
-        inverse_depths = 1.0 / max(depths, vec4f(1e-30));
-    }
-    let peaks = select(1.0, -1.0, count == 2u) / max(shares, vec4f(1e-7));
+    let depths = vec4f(divisor(p0.xyz), divisor(p1.xyz), divisor(p2.xyz), divisor(p3.xyz));
+    shares *= depths;
+    let inverse_depths = 1.0 / depths;
+    let peaks = 1.0 / max(shares, vec4f(1e-7));
     let ring = outline(front, count);
+    var a = Corner(projected[tet[ring.x]], inverse_depths[ring.x] * vec3f(1.0, scalars[ring.x], g[ring.x]), vec3f());
+    var b = Corner(projected[tet[ring.y]], inverse_depths[ring.y] * vec3f(1.0, scalars[ring.y], g[ring.y]), vec3f());
+    var c = Corner(projected[tet[ring.z]], inverse_depths[ring.z] * vec3f(1.0, scalars[ring.z], g[ring.z]), vec3f());
+    var d = a;
+    var middle: Corner;
+    var growth: f32;
+    a.tent.x = peaks[ring.x];
+    if count == 2u {
+        // The front edge's ends have the first and third function; the second does not cut.
+        d = Corner(projected[tet[ring.w]], inverse_depths[ring.w] * vec3f(1.0, scalars[ring.w], g[ring.w]), vec3f());
+        c.tent.z = peaks[ring.z];
+        a.tent.y = NO_CUT;
+        b.tent.y = NO_CUT;
+        c.tent.y = NO_CUT;
+        d.tent.y = NO_CUT;
+        // The middle of the edge that both triangles share: they stay neighbours.
+        middle = Corner(0.5 * (a.clip + c.clip), 0.5 * (a.plane + c.plane), 0.5 * (a.tent + c.tent));
+        growth = growth_about(middle.clip, a.clip, b.clip, c.clip, d.clip);
+    } else {
+        b.tent.y = peaks[ring.y];
+        c.tent.z = peaks[ring.z];
+        d = a;
+        let third = 1.0 / 3.0;
+        middle = Corner(third * (a.clip + b.clip + c.clip), third * (a.plane + b.plane + c.plane),
+                        third * (a.tent + b.tent + c.tent));
+        growth = growth_about(middle.clip, a.clip, b.clip, c.clip, c.clip);
+    }
     let size = select(FLOATS, BIVARIATE_FLOATS, BIVARIATE);
     let at = place * 4u * size;
-    put_corner(at, tet[ring.x], inverse_depths[ring.x], scalars[ring.x], g[ring.x], peaks[ring.x]);
-    put_corner(at + size, tet[ring.y], inverse_depths[ring.y], scalars[ring.y], g[ring.y], peaks[ring.y]);
-    put_corner(at + 2u * size, tet[ring.z], inverse_depths[ring.z], scalars[ring.z], g[ring.z], peaks[ring.z]);
-    put_corner(at + 3u * size, tet[ring.w], inverse_depths[ring.w], scalars[ring.w], g[ring.w], peaks[ring.w]);
-    corners[at + 5u] = apex.thickness;
-    corners[at + 6u] = apex.scalar_change;
+    put_corner(at, a, middle, growth);
+    put_corner(at + size, b, middle, growth);
+    put_corner(at + 2u * size, c, middle, growth);
+    put_corner(at + 3u * size, d, middle, growth);
+    corners[at + 7u] = apex.thickness;
+    corners[at + 8u] = apex.scalar_change;
     if BIVARIATE {
-        corners[at + 8u] = apex.gradient_change;
+        corners[at + 10u] = apex.gradient_change;
     }
 }

@@ -8,14 +8,14 @@
 struct Corner {
     @location(0) clip: vec2f,
     @location(1) plane: vec2f,
-    @location(2) peak: f32,
+    @location(2) tent: vec3f,
     @location(3) apex: vec2f,
 }
 
 struct BivariateCorner {
     @location(0) clip: vec2f,
     @location(1) plane: vec2f,
-    @location(2) peak: f32,
+    @location(2) tent: vec3f,
     @location(3) apex: vec2f,
     @location(4) gradient: vec2f,
 }
@@ -38,27 +38,15 @@ struct BivariateFragment {
     @location(2) @interpolate(flat) apex: vec3f,
 }
 
-// The three tent functions at a corner. Class 1: each is the peak of one corner (the fourth is the first again), and 0
-// at the others. Class 2 (peaks are negative): the front edge's ends have the first and third, the second does not cut.
-fn tent_at(index: u32, peak: f32) -> vec3f {
-    let corner = index & 3u;
-    let height = abs(peak);
-    let middle = select(select(0.0, height, corner == 1u), 2.0, peak < 0.0);
-    return vec3f(select(0.0, height, corner == 0u || (corner == 3u && peak > 0.0)), middle,
-                 select(0.0, height, corner == 2u));
+@vertex
+fn vertex(corner: Corner) -> Fragment {
+    return Fragment(vec4f(corner.clip, 0.5, 1.0), vec4f(corner.plane, corner.tent.xy), corner.tent.z, corner.apex);
 }
 
 @vertex
-fn vertex(corner: Corner, @builtin(vertex_index) index: u32) -> Fragment {
-    let tent = tent_at(index, corner.peak);
-    return Fragment(vec4f(corner.clip, 0.5, 1.0), vec4f(corner.plane, tent.xy), tent.z, corner.apex);
-}
-
-@vertex
-fn vertex_bivariate(corner: BivariateCorner, @builtin(vertex_index) index: u32) -> BivariateFragment {
-    let tent = tent_at(index, corner.peak);
-    return BivariateFragment(vec4f(corner.clip, 0.5, 1.0), vec4f(corner.plane, tent.xy),
-                             vec2f(tent.z, corner.gradient.x), vec3f(corner.apex, corner.gradient.y));
+fn vertex_bivariate(corner: BivariateCorner) -> BivariateFragment {
+    return BivariateFragment(vec4f(corner.clip, 0.5, 1.0), vec4f(corner.plane, corner.tent.xy),
+                             vec2f(corner.tent.z, corner.gradient.x), vec3f(corner.apex, corner.gradient.y));
 }
 
 // Premultiplied colour, and transmittance in place of alpha.

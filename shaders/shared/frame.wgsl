@@ -1,15 +1,18 @@
 // The camera, in mesh space, as every pass of a frame sees it (group 0).
 struct Frame {
-    // The eye in two parts: vertex - eye loses nothing where the camera is far away.
-    eye_high: vec3f,
+    // A point near what is seen: the eye (rounded) if it is near the mesh, else the mesh's centre. Positions are taken
+    // from there, so that neither a near nor a far camera loses their digits.
+    reference: vec3f,
+    // With the pieces at the near plane, and the gap before them (store.rs).
     tet_count: u32,
-    eye_low: vec3f,
+    eye_from_reference: vec3f,
     vertex_count: u32,
-    // Clip-space x and y of a view vector: dot(row, v), over the view depth for a perspective camera.
+    // Clip-space x and y of a point: dot(row, point - reference) + offset, over the view depth for a perspective camera.
     x_row: vec3f,
-    pixel_width: f32,
+    image_width: f32,
     y_row: vec3f,
-    pixel_height: f32,
+    image_height: f32,
+    // View depth: dot(forward, point - reference) + z_offset.
     forward: vec3f,
     // x/z and y/z of the ray through a pixel position p: p * ray_scale + ray_offset (perspective).
     ray_scale_x: f32,
@@ -18,12 +21,11 @@ struct Frame {
     ray_offset_y: f32,
     // Cells that one draw covers.
     chunk_cells: u32,
-    // The mesh-space vector that moves a point by 1 in clip x at depth 1 (everywhere for an orthographic camera).
-    x_axis: vec3f,
-    pad_a: f32,
-    y_axis: vec3f,
-    pad_b: f32,
     background: vec4f,
+    x_offset: f32,
+    y_offset: f32,
+    z_offset: f32,
+    pad_a: f32,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
@@ -32,10 +34,18 @@ struct Frame {
 override PERSPECTIVE: bool = true;
 
 fn from_eye(position: vec3f) -> vec3f {
-    return (position - frame.eye_high) - frame.eye_low;
+    return (position - frame.reference) - frame.eye_from_reference;
 }
 
-// Clip-space x and y of a view vector, over the depth for a perspective camera.
-fn clip_from_view(v: vec3f, inverse_depth: f32) -> vec2f {
-    return vec2f(dot(frame.x_row, v), dot(frame.y_row, v)) * inverse_depth;
+// The depth that vertices are divided by: 1 for an orthographic camera, and never 0.
+fn divisor(position: vec3f) -> f32 {
+    if PERSPECTIVE {
+        return max(dot(frame.forward, position - frame.reference) + frame.z_offset, 1e-30);
+    }
+    return 1.0;
+}
+
+fn clip_from_mesh(position: vec3f, inverse_divisor: f32) -> vec2f {
+    let p = position - frame.reference;
+    return vec2f(dot(frame.x_row, p) + frame.x_offset, dot(frame.y_row, p) + frame.y_offset) * inverse_divisor;
 }

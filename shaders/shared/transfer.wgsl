@@ -79,13 +79,14 @@ fn curve_segment(scalars: vec2f, extent: f32) -> vec4f {
         let front = max(low + (scalars.x + change * at - scalar_low) * slope, vec4f(0.0));
         var back = max(low + (scalars.x + change * end - scalar_low) * slope, vec4f(0.0));
         let step = extent * (end - at);
-        let a = front.w * step;
-        var b = back.w * step;
+        // Squares stay finite.
+        let a = min(front.w * step, 1e15);
+        var b = min(back.w * step, 1e15);
         let deep = a + b > 1.0;
         var part = 1.0;
         if deep {
-            // At most 1/2 deep, whichever way the extinction runs.
-            part = 0.5 / max(a, b);
+            // a x + (b - a) x^2 / 2 = 1/2, in the form without cancellation.
+            part = min(1.0 / (a + sqrt(max(a * a + (b - a), 0.0))), 1.0);
             back = mix(front, back, part);
             b = mix(a, b, part);
         }
@@ -135,5 +136,6 @@ fn widget_depth(k: u32, scalars: vec2f, gradients: vec2f, extent: f32) -> f32 {
         mean = gaussian_mean(vec2f(dot(w.whiten.xy, front), dot(w.whiten.zw, front)),
                              vec2f(dot(w.whiten.xy, back), dot(w.whiten.zw, back)));
     }
-    return w.extinction * extent * share * mean;
+    // Absurd extinctions stay finite.
+    return min(w.extinction * extent, 1e25) * share * mean;
 }

@@ -4,7 +4,7 @@ use crate::gpu::device::Gpu;
 use crate::gpu::layout;
 
 /// Bytes of a cell's four corners with gradients.
-const CORNER_BYTES: u64 = 4 * 36;
+const CORNER_BYTES: u64 = 4 * 44;
 
 const STORAGE: wgpu::BufferUsages = wgpu::BufferUsages::STORAGE;
 

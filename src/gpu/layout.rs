@@ -7,25 +7,25 @@ use bytemuck::{Pod, Zeroable};
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 #[expect(missing_docs, reason = "the fields are documented in the shader")]
 pub struct Frame {
-    pub eye_high: [f32; 3],
+    pub reference: [f32; 3],
     pub tet_count: u32,
-    pub eye_low: [f32; 3],
+    pub eye_from_reference: [f32; 3],
     pub vertex_count: u32,
     pub x_row: [f32; 3],
-    pub pixel_width: f32,
+    pub image_width: f32,
     pub y_row: [f32; 3],
-    pub pixel_height: f32,
+    pub image_height: f32,
     pub forward: [f32; 3],
     pub ray_scale_x: f32,
     pub ray_scale_y: f32,
     pub ray_offset_x: f32,
     pub ray_offset_y: f32,
     pub chunk_cells: u32,
-    pub x_axis: [f32; 3],
-    pub pad_a: f32,
-    pub y_axis: [f32; 3],
-    pub pad_b: f32,
     pub background: [f32; 4],
+    pub x_offset: f32,
+    pub y_offset: f32,
+    pub z_offset: f32,
+    pub pad_a: f32,
 }
 
 /// `shared/range.wgsl`.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
 use crate::error::{Error, Result};
 use crate::gpu::device::{Gpu, Resources};
@@ -302,13 +302,14 @@ impl GpuRenderer {
         Ok(mapped)
     }
 
-    /// The frame as shaders see it: mesh space, the eye in two f32 parts.
+    /// The frame as shaders see it, in mesh space.
     fn frame_uniform(&self, frame: &Frame<'_>, pieces: Option<Pieces>) -> layout::Frame {
         let camera: &Camera = frame.camera;
         let basis = camera.basis();
         let eye = self.mesh.mesh_from_data(camera.eye);
-        let high = eye.as_vec3();
-        let low = (eye - high.as_dvec3()).as_vec3();
+        // The mesh lies within 1 of the origin.
+        let reference = if eye.length() <= 4.0 { eye.as_vec3() } else { Vec3::ZERO };
+        let eye_from_reference = eye - reference.as_dvec3();
         let [width, height] = frame.size.map(f64::from);
         let aspect = width / height;
         // Half the image's height at depth 1 (perspective) or everywhere (orthographic, mesh units).
@@ -316,28 +317,30 @@ impl GpuRenderer {
             Projection::Perspective { fov_y } => (0.5 * fov_y).tan(),
             Projection::Orthographic { height } => 0.5 * height / self.mesh.data_per_mesh,
         };
-        let row = |axis: DVec3, extent: f64| (axis / extent).as_vec3().to_array();
+        let (x_row, y_row) = (basis.right / (half * aspect), basis.up / half);
+        let offset = |row: DVec3| (-row.dot(eye_from_reference)) as f32;
+        let f32s = |v: DVec3| v.as_vec3().to_array();
         let m = &self.store.mesh;
         layout::Frame {
-            eye_high: high.to_array(),
+            reference: reference.to_array(),
             tet_count: pieces.filter(|p| p.range.count > 0).map_or(m.tet_count, |p| p.range.first + p.range.count),
-            eye_low: low.to_array(),
+            eye_from_reference: f32s(eye_from_reference),
             vertex_count: m.vertex_count + pieces.map_or(0, |p| p.vertices),
-            x_row: row(basis.right, half * aspect),
-            pixel_width: width as f32,
-            y_row: row(basis.up, half),
-            pixel_height: height as f32,
-            forward: basis.forward.as_vec3().to_array(),
+            x_row: f32s(x_row),
+            image_width: width as f32,
+            y_row: f32s(y_row),
+            image_height: height as f32,
+            forward: f32s(basis.forward),
             ray_scale_x: (2.0 * half / height) as f32,
             ray_scale_y: (-2.0 * half / height) as f32,
             ray_offset_x: (-half * aspect) as f32,
             ray_offset_y: half as f32,
             chunk_cells: self.store.chunk_cells,
-            x_axis: (basis.right * (half * aspect)).as_vec3().to_array(),
-            pad_a: 0.0,
-            y_axis: (basis.up * half).as_vec3().to_array(),
-            pad_b: 0.0,
             background: frame.background,
+            x_offset: offset(x_row),
+            y_offset: offset(y_row),
+            z_offset: offset(basis.forward),
+            pad_a: 0.0,
         }
     }
 

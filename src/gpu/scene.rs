@@ -90,7 +90,7 @@ impl SceneKernels {
             vec![f32_target(Some(BACK_TO_FRONT))]
         };
         let attributes = wgpu::vertex_attr_array![
-            0 => Float32x2, 1 => Float32x2, 2 => Float32, 3 => Float32x2, 4 => Float32x2
+            0 => Float32x2, 1 => Float32x2, 2 => Float32x3, 3 => Float32x2, 4 => Float32x2
         ];
         let (entries, used) = match (transfer.bivariate, f16) {
             (false, false) => (["vertex", "fragment"], 4),

@@ -180,7 +180,7 @@ fn pieces_start(tets: u32) -> u32 {
 }
 
 /// Cells projected and drawn at a time; their corners are made anew for each chunk. At most an eighth of the mesh, so
-/// that corners cost at most 18 bytes a tetrahedron of meshes above 131,072.
+/// that corners cost at most 22 bytes a tetrahedron of meshes above 131,072.
 fn chunk_cells(tets: u32) -> u32 {
     (1u32 << (tets / 8).max(1).ilog2()).clamp(16_384, 262_144).min(tets.max(1).next_multiple_of(256))
 }

@@ -14,6 +14,9 @@ pub const MOST_PIECES: usize = 1024;
 /// Normalised values are clamped to 0..1, so a range that ends beyond is as good as unbounded.
 const UNBOUNDED: [f32; 2] = [-1.0, 2.0];
 
+/// By how much ranges are widened, normalised: scalars at entry and exit err by 3e-7.
+const RANGE_HAIR: f64 = 1e-6;
+
 /// A transfer function as shaders see it.
 pub struct TransferBuffers {
     /// The function it was made from.
@@ -93,8 +96,9 @@ impl TransferBuffers {
 fn widget(w: &Widget, scalar: Normalisation, gradient: Normalisation, data_per_mesh: f64) -> GpuWidget {
     let range = |range: Option<[f64; 2]>, axis: Normalisation| {
         range.map_or(UNBOUNDED, |[low, high]| {
-            // An end beyond every value cannot cut; ends are kept finite.
-            let ends = [axis.apply(low).clamp(-1.0, 2.0) as f32, axis.apply(high).clamp(-1.0, 2.0) as f32];
+            // Ends belong to the range: a hair wider, since values at the ends are computed. Those beyond every value
+            // cannot cut, and are kept finite.
+            let ends = [axis.apply(low) - RANGE_HAIR, axis.apply(high) + RANGE_HAIR].map(|e| e.clamp(-1.0, 2.0) as f32);
             if ends[0] < 0.0 && ends[1] > 1.0 { UNBOUNDED } else { ends }
         })
     };
@@ -175,7 +179,7 @@ fn piece_starts(pieces: &[Piece]) -> Vec<[u32; 4]> {
 fn check(widgets: &[GpuWidget], pieces: &[Piece]) -> Result<()> {
     let finite = |values: &[f32]| values.iter().all(|v| v.is_finite());
     for (i, w) in widgets.iter().enumerate() {
-        if !(finite(&w.color) && finite(&w.center) && w.extinction.is_finite()) {
+        if !(finite(&w.color) && finite(&w.center) && finite(&w.whiten) && w.extinction.is_finite()) {
             return Err(Error::Asked(format!(
                 "widget {i}: its centre, colour or extinction is beyond f32 on this mesh (centre {:?}, extinction {})",
                 w.center, w.extinction
