@@ -51,7 +51,7 @@ pub enum BlendFormat {
     Auto,
     /// rgba32float.
     F32,
-    /// rgba16float in slabs of at most 256 layers, resolved to f32.
+    /// rgba16float in slabs of few layers, resolved to f32.
     F16,
 }
 

@@ -180,7 +180,6 @@ fn frames_leave_nothing_behind() {
 }
 
 #[test]
-#[ignore = "known bug: a near plane behind which all of the mesh lies ends in a panic"]
 fn nothing_is_seen_of_a_mesh_behind_the_camera() {
     let mesh = meshes::sample(Sample::Tangle, 6_000);
     for perspective in [true, false] {

@@ -31,7 +31,7 @@ fn erfcx(x: real) -> real {
     return p / (1.0 + 2.0 * x);
 }
 
-// The same for t in [0, 1/2], relative error 1.1e-7 (tables/coefficients.json, "phi_one_half").
+// phi_one for t in [0, 1/2], relative error 1.1e-7 (tables/coefficients.json, "phi_one_half").
 fn phi_one_half(t: real) -> real {
     return 0.9999999403953552 + t * (-0.49999240040779114 + t * (0.16654734313488007 + t * (-0.04099874943494797
         + t * 0.006768545601516962)));

@@ -24,8 +24,11 @@ pub(super) fn run(args: &RenderArgs) -> anyhow::Result<()> {
     let background = job.scene.premultiplied_background();
     let frame = Frame { camera: &camera, transfer: &transfer, size: job.scene.size, background };
     let timed = args.explain || args.stats.is_some();
-    let rendered = progress::step_with(bar, || renderer.render(&frame, timed))?;
-    // The picture above was the warm-up.
+    let mut rendered = progress::step_with(bar, || renderer.render(&frame, timed))?;
+    // The picture above was the warm-up: passes are timed once more.
+    if !rendered.stats.passes.is_empty() {
+        rendered.stats = renderer.render(&frame, timed)?.stats;
+    }
     let frames = if timed || args.repeat > 1 { time_frames(&mut *renderer, &frame, args.repeat)? } else { Vec::new() };
     let image = if args.legend { legend::beside(&rendered.image, &mesh, &transfer)? } else { rendered.image };
     progress::step("writing", || image.write(&args.output, job.encoding))?;

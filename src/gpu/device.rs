@@ -1,9 +1,13 @@
 //! The device: which adapter, with what, and the kernels made for it.
 
 use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::error::{Error, Result};
 use crate::gpu::shader::{Binding, BindingKind, Module};
+
+/// What the projection's shader binds.
+const MOST_STORAGE_BUFFERS: u32 = 11;
 
 /// Which adapters may be used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -27,6 +31,8 @@ pub struct Gpu {
     pub info: wgpu::AdapterInfo,
     /// Largest storage binding that is used, bytes.
     pub max_binding: u64,
+    // What the device complained of first, and nobody was told yet.
+    complaint: Arc<Mutex<Option<String>>>,
 }
 
 impl Gpu {
@@ -51,7 +57,14 @@ impl Gpu {
             DeviceChoice::Hardware => !is_software(&a.get_info()),
         });
         adapters.sort_by_key(|a| preference(a.get_info().device_type));
-        let adapter = adapters.into_iter().next().ok_or_else(|| {
+        let mut refusal = None;
+        for adapter in adapters {
+            match Self::open(&adapter, limit) {
+                Ok(gpu) => return Ok(gpu),
+                Err(error) => refusal = Some(error),
+            }
+        }
+        Err(refusal.unwrap_or_else(|| {
             let kind = match choice {
                 DeviceChoice::Any => "graphics",
                 DeviceChoice::Software => "software graphics",
@@ -61,10 +74,20 @@ impl Gpu {
                 "no {kind} adapter was found; install a Vulkan driver (mesa-vulkan-drivers has a software one), \
                  or render with --device oracle"
             ))
-        })?;
+        }))
+    }
+
+    fn open(adapter: &wgpu::Adapter, limit: u64) -> Result<Self> {
         let info = adapter.get_info();
         let wanted = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::FLOAT32_BLENDABLE;
         let limits = adapter.limits();
+        if limits.max_storage_buffers_per_shader_stage < MOST_STORAGE_BUFFERS {
+            return Err(Error::Device(format!(
+                "'{}' binds {} storage buffers to a shader, and {MOST_STORAGE_BUFFERS} are needed; render with \
+                 --device oracle",
+                info.name, limits.max_storage_buffers_per_shader_stage
+            )));
+        }
         let max_binding = limits.max_storage_buffer_binding_size.min(limit);
         let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("tetralux"),
@@ -73,7 +96,13 @@ impl Gpu {
             ..Default::default()
         }))
         .map_err(|e| Error::Device(format!("the adapter '{}' refused: {e}", info.name)))?;
-        Ok(Self { device, queue, info, max_binding })
+        let complaint = Arc::new(Mutex::new(None));
+        let heard = Arc::clone(&complaint);
+        // Otherwise wgpu panics, on running out of memory too.
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+            heard.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
+        }));
+        Ok(Self { device, queue, info, max_binding, complaint })
     }
 
     /// True where shaders run on the host's cores.
@@ -95,12 +124,13 @@ impl Gpu {
     /// Waits until all submitted work is done.
     ///
     /// # Errors
-    /// A lost device.
+    /// A lost device; whatever it complained of since the last call (memory that ran out, say).
     pub fn wait(&self) -> Result<()> {
-        self.device
-            .poll(wgpu::PollType::wait_indefinitely())
-            .map(|_| ())
-            .map_err(|e| Error::Device(format!("the device stopped answering: {e}")))
+        let polled = self.device.poll(wgpu::PollType::wait_indefinitely());
+        if let Some(text) = self.complaint.lock().unwrap_or_else(PoisonError::into_inner).take() {
+            return Err(Error::Device(format!("'{}' failed: {}", self.info.name, text.trim())));
+        }
+        polled.map(|_| ()).map_err(|e| Error::Device(format!("the device stopped answering: {e}")))
     }
 
     /// An empty buffer of at least 16 bytes.

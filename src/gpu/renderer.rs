@@ -11,6 +11,7 @@ use crate::gpu::layout;
 use crate::gpu::record::{Recorder, Work};
 use crate::gpu::scene::SceneKernels;
 use crate::gpu::slabs::{MOST_LAYERS, Slabs};
+use crate::gpu::sort;
 use crate::gpu::store::{Pieces, Store};
 use crate::gpu::target::Target;
 use crate::gpu::transfer::TransferBuffers;
@@ -70,7 +71,7 @@ impl GpuRenderer {
     /// A lost device.
     pub fn order(&self) -> Result<Vec<u32>> {
         let cells = &self.store.cells;
-        let survivors = u64::from(self.store.sorter.survivors(&self.gpu, &cells.counts)?);
+        let survivors = u64::from(sort::survivors(&self.gpu, &cells.counts)?);
         self.gpu.read(&cells.order, survivors * 4)
     }
 
@@ -147,7 +148,7 @@ impl GpuRenderer {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let all = self.resources(scene);
         let mut recorder = Recorder::new(&self.gpu, timed);
-        self.sort_cells(&mut recorder, &all, pieces, uniform.vertex_count)?;
+        let survivors = self.sort_cells(&mut recorder, &all, pieces, uniform.vertex_count)?;
         let mut notes = Vec::new();
         if let Some(p) = pieces {
             notes.push(format!("the near plane cuts cells: {} pieces of them are drawn instead", p.range.count));
@@ -155,25 +156,26 @@ impl GpuRenderer {
         let passes = if self.f16 {
             let (slabs, passes) = self.raster_slabs(recorder, timed)?;
             self.slabs = slabs;
-            let count = self.slabs.ranges(u32::MAX).len();
+            let cells = survivors.unwrap_or(u32::MAX);
+            let count = self.slabs.ranges(cells).len();
             notes.push(format!("blended in f16, in {count} slabs of at most {MOST_LAYERS} layers"));
             passes
         } else {
-            self.raster(&mut recorder, &all, uniform.tet_count)?;
+            self.raster(&mut recorder, &all, survivors.unwrap_or(uniform.tet_count))?;
             recorder.finish()?
         };
         let stats = Stats { passes, notes, adapter: self.gpu.describe(), ..Default::default() };
         Ok(Drawn { stats, pieces })
     }
 
-    /// Projects vertices, drops cells outside the picture, lists and sorts the others.
+    /// Projects vertices, drops cells outside the picture, lists and sorts the others; their number where it is known.
     fn sort_cells(
         &self,
         recorder: &mut Recorder<'_>,
         all: &Resources<'_>,
         pieces: Option<Pieces>,
         vertices: u32,
-    ) -> Result<()> {
+    ) -> Result<Option<u32>> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let gpu = &self.gpu;
         recorder.compute(&scene.vertices, &scene.vertices.bind(gpu, all)?, Work::Items(vertices))?;
@@ -190,14 +192,14 @@ impl GpuRenderer {
         self.store.sorter.sort(gpu, recorder, &cells.counts, &cells.keys, &cells.order)
     }
 
-    /// Projects and blends the sorted cells in f32, chunk by chunk, and finishes the picture.
-    fn raster(&self, recorder: &mut Recorder<'_>, all: &Resources<'_>, tets: u32) -> Result<()> {
+    /// Projects and blends the sorted cells (`most` at most) in f32, chunk by chunk, and finishes the picture.
+    fn raster(&self, recorder: &mut Recorder<'_>, all: &Resources<'_>, most: u32) -> Result<()> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let target = self.target.as_ref().ok_or_else(unprepared)?;
         let (gpu, store) = (&self.gpu, &self.store);
         let raster_groups = scene.raster.bind(gpu, all)?;
         let mut load = EMPTY;
-        for (chunk, uniform) in (0u64..).zip(&store.chunks[..tets.div_ceil(store.chunk_cells) as usize]) {
+        for (chunk, uniform) in (0u64..).zip(&store.chunks[..most.max(1).div_ceil(store.chunk_cells) as usize]) {
             let groups = scene.project.bind(gpu, &all.clone().with("chunk", uniform))?;
             recorder.compute(&scene.project, &groups, Work::Items(store.chunk_cells))?;
             recorder.draw(&scene.raster, &raster_groups, &[(&target.blended, load)], |pass| {
@@ -221,7 +223,7 @@ impl GpuRenderer {
     /// The same in f16, slab by slab. Returns the slabs that held, and the passes' times of the last attempt.
     fn raster_slabs(&self, mut recorder: Recorder<'_>, timed: bool) -> Result<(Slabs, Vec<crate::renderer::PassTime>)> {
         recorder.submit();
-        let cells = self.store.sorter.survivors(&self.gpu, &self.store.cells.counts)?;
+        let cells = sort::survivors(&self.gpu, &self.store.cells.counts)?;
         let mut slabs = self.slabs.clone();
         let mut before = recorder.finish()?;
         loop {
@@ -350,7 +352,7 @@ impl GpuRenderer {
         let tets = u64::from(store.mesh.tet_count);
         let bits: Vec<u32> = gpu.read(&store.cells.candidates, tets.div_ceil(256) * 32)?;
         let candidates = bits.iter().map(|word| u64::from(word.count_ones())).sum();
-        let drawn = u64::from(store.sorter.survivors(gpu, &store.cells.counts)?);
+        let drawn = u64::from(sort::survivors(gpu, &store.cells.counts)?);
         let mut counts = vec![("in the mesh".to_owned(), tets), ("that the function can show".to_owned(), candidates)];
         if let Some(p) = pieces {
             counts.push(("pieces at the near plane".to_owned(), u64::from(p.range.count)));

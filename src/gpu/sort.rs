@@ -10,6 +10,9 @@ use crate::gpu::record::{Recorder, Work};
 /// Offset of the sort's dispatch in [`Counts`].
 const SORT_GROUPS: u64 = std::mem::offset_of!(Counts, sort_groups_x) as u64;
 
+/// Workgroup memory of `sort_scatter`.
+const TILE_BYTES: u32 = 19_456;
+
 /// Sorts the cells of a frame.
 pub struct Sorter {
     place: Place,
@@ -36,6 +39,8 @@ impl Sorter {
     /// # Errors
     /// A shader that does not compile.
     pub fn new(gpu: &Gpu, capacity: u32, on_host: bool) -> Result<Self> {
+        // WebGPU's default is less than a tile of the radix sort takes.
+        let on_host = on_host || gpu.device.limits().max_compute_workgroup_storage_size < TILE_BYTES;
         let place = if on_host {
             let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
             Place::Host { mapped: gpu.buffer("sort pairs, mapped", u64::from(capacity).max(1) * 8, usage) }
@@ -55,7 +60,8 @@ impl Sorter {
         }
     }
 
-    /// Sorts `order` by `keys`: ascending, ties by cell. Submits what is recorded where it sorts on the host.
+    /// Sorts `order` by `keys`: ascending, ties by cell. Where it sorts on the host, submits what is recorded and returns
+    /// the number of cells.
     ///
     /// # Errors
     /// A lost device.
@@ -66,47 +72,11 @@ impl Sorter {
         counts: &wgpu::Buffer,
         keys: &wgpu::Buffer,
         order: &wgpu::Buffer,
-    ) -> Result<()> {
+    ) -> Result<Option<u32>> {
         match &self.place {
-            Place::Host { mapped } => self.sort_on_host(gpu, recorder, mapped, [counts, keys, order]),
-            Place::Gpu(sort) => sort.record(gpu, recorder, [counts, keys, order]),
+            Place::Host { mapped } => sort_on_host(gpu, recorder, mapped, [counts, keys, order]).map(Some),
+            Place::Gpu(sort) => sort.record(gpu, recorder, [counts, keys, order]).map(|()| None),
         }
-    }
-
-    /// How many cells survived the last frame.
-    ///
-    /// # Errors
-    /// A lost device.
-    pub fn survivors(&self, gpu: &Gpu, counts: &wgpu::Buffer) -> Result<u32> {
-        let counts: Vec<Counts> = gpu.read(counts, size_of::<Counts>() as u64)?;
-        Ok(counts.first().map_or(0, |c| c.survivors))
-    }
-
-    fn sort_on_host(
-        &self,
-        gpu: &Gpu,
-        recorder: &mut Recorder<'_>,
-        mapped: &wgpu::Buffer,
-        [counts, keys, order]: [&wgpu::Buffer; 3],
-    ) -> Result<()> {
-        recorder.submit();
-        let survivors = u64::from(self.survivors(gpu, counts)?);
-        if survivors == 0 {
-            return Ok(());
-        }
-        recorder.encoder().copy_buffer_to_buffer(keys, 0, mapped, 0, survivors * 4);
-        recorder.encoder().copy_buffer_to_buffer(order, 0, mapped, survivors * 4, survivors * 4);
-        recorder.submit();
-        let words: Vec<u32> = gpu.map(mapped, survivors * 8)?;
-        let sorted = recorder.host("sort", || {
-            let (keys, cells) = words.split_at(words.len() / 2);
-            let mut pairs: Vec<u64> =
-                keys.iter().zip(cells).map(|(&key, &cell)| u64::from(key) << 32 | u64::from(cell)).collect();
-            pairs.par_sort_unstable();
-            pairs.into_iter().map(|pair| pair as u32).collect::<Vec<u32>>()
-        });
-        gpu.write(order, 0, bytemuck::cast_slice(&sorted));
-        Ok(())
     }
 }
 
@@ -149,4 +119,39 @@ impl GpuSort {
         }
         Ok(())
     }
+}
+
+/// How many cells survived the last frame.
+///
+/// # Errors
+/// A lost device.
+pub fn survivors(gpu: &Gpu, counts: &wgpu::Buffer) -> Result<u32> {
+    let counts: Vec<Counts> = gpu.read(counts, size_of::<Counts>() as u64)?;
+    Ok(counts.first().map_or(0, |c| c.survivors))
+}
+
+fn sort_on_host(
+    gpu: &Gpu,
+    recorder: &mut Recorder<'_>,
+    mapped: &wgpu::Buffer,
+    [counts, keys, order]: [&wgpu::Buffer; 3],
+) -> Result<u32> {
+    recorder.submit();
+    let survivors = u64::from(survivors(gpu, counts)?);
+    if survivors == 0 {
+        return Ok(0);
+    }
+    recorder.encoder().copy_buffer_to_buffer(keys, 0, mapped, 0, survivors * 4);
+    recorder.encoder().copy_buffer_to_buffer(order, 0, mapped, survivors * 4, survivors * 4);
+    recorder.submit();
+    let words: Vec<u32> = gpu.map(mapped, survivors * 8)?;
+    let sorted = recorder.host("sort", || {
+        let (keys, cells) = words.split_at(words.len() / 2);
+        let mut pairs: Vec<u64> =
+            keys.iter().zip(cells).map(|(&key, &cell)| u64::from(key) << 32 | u64::from(cell)).collect();
+        pairs.par_sort_unstable();
+        pairs.into_iter().map(|pair| pair as u32).collect::<Vec<u32>>()
+    });
+    gpu.write(order, 0, bytemuck::cast_slice(&sorted));
+    Ok(survivors as u32)
 }

@@ -32,6 +32,8 @@ pub struct Store {
     pieces_uniform: wgpu::Buffer,
     spare_vertices: u64,
     spare_tets: u64,
+    /// Tetrahedra that the buffers hold, the gap before the pieces included.
+    capacity: u64,
     part: u32,
 }
 
@@ -50,9 +52,9 @@ impl Store {
     /// # Errors
     /// A mesh beyond the device's limits, with the numbers.
     pub fn new(gpu: &Gpu, mesh: &TetMesh, sort_on_host: bool, spare_vertices: u64, spare_tets: u64) -> Result<Self> {
-        check_size(gpu, mesh, spare_vertices, spare_tets)?;
         let tets = mesh.tets.len() as u32;
         let capacity = if spare_tets == 0 { u64::from(tets) } else { u64::from(pieces_start(tets)) + spare_tets };
+        check_size(gpu, mesh.vertices.len() as u64 + spare_vertices, capacity)?;
         let chunk_cells = chunk_cells(tets);
         let buffers = MeshBuffers::new(gpu, mesh, spare_vertices, capacity);
         let cells = CellBuffers::new(gpu, u64::from(buffers.vertex_count) + spare_vertices, capacity, chunk_cells);
@@ -81,6 +83,7 @@ impl Store {
             pieces_uniform: gpu.uniform("range", &[layout::Range::default()]),
             spare_vertices,
             spare_tets,
+            capacity,
             part: part_size(gpu.max_binding),
         })
     }
@@ -92,9 +95,8 @@ impl Store {
 
     /// Constants of the shaders that visit tetrahedra in any order.
     pub fn constants(&self) -> [(&'static str, f64); 2] {
-        let capacity = u64::from(self.mesh.tet_count) + self.spare_tets;
-        let parts = if capacity <= u64::from(self.part) { 1.0 } else { PARTS.len() as f64 };
-        [("TET_PARTS", parts), ("TETS_A_PART", f64::from(self.part))]
+        let parts = if self.capacity <= u64::from(self.part) { 1.0 } else { PARTS.len() as f64 };
+        [("TET_PARTS", parts), ("PART_TETS", f64::from(self.part))]
     }
 
     /// Uploads gradient magnitudes, if no scene needed them before.
@@ -191,15 +193,16 @@ fn outline_indices(cells: u32) -> Vec<u32> {
 }
 
 /// Refuses meshes beyond the device, with the numbers.
-fn check_size(gpu: &Gpu, mesh: &TetMesh, spare_vertices: u64, spare_tets: u64) -> Result<()> {
-    let vertices = mesh.vertices.len() as u64 + spare_vertices;
-    let tets = mesh.tets.len() as u64 + spare_tets;
+fn check_size(gpu: &Gpu, vertices: u64, tets: u64) -> Result<()> {
     let most_vertices = gpu.max_binding / 16;
-    let most_tets = (gpu.max_binding / 4).min(PARTS.len() as u64 * u64::from(part_size(gpu.max_binding)));
+    let most_tets = (gpu.max_binding / 4)
+        .min(PARTS.len() as u64 * u64::from(part_size(gpu.max_binding)))
+        .min(gpu.device.limits().max_buffer_size / 16);
     if vertices > most_vertices || tets > most_tets {
         return Err(Error::Device(format!(
-            "the mesh has {vertices} vertices and {tets} tetrahedra; '{}' binds {} MiB at once, room for \
-             {most_vertices} and {most_tets}; render with --device oracle, or a coarser mesh",
+            "the mesh and its pieces at the near plane need room for {vertices} vertices and {tets} tetrahedra; '{}' \
+             binds {} MiB at once, which is room for {most_vertices} and {most_tets}; render with --device oracle, or \
+             a coarser mesh",
             gpu.info.name,
             gpu.max_binding >> 20
         )));

@@ -32,11 +32,17 @@ impl Target {
     /// # Errors
     /// A size that the device does not have.
     pub fn new(gpu: &Gpu, size: [u32; 2], f16: bool) -> Result<Self> {
-        let most = gpu.device.limits().max_texture_dimension_2d;
-        if size.iter().any(|&side| side == 0 || side > most) {
+        let limits = gpu.device.limits();
+        let most = limits.max_texture_dimension_2d;
+        let too_large = row_bytes(size[0]) * u64::from(size[1]) > limits.max_buffer_size;
+        if size.iter().any(|&side| side == 0 || side > most) || too_large {
             return Err(Error::Asked(format!(
-                "a picture of {}x{} pixels is not possible on '{}': each side must be 1 to {most}",
-                size[0], size[1], gpu.info.name
+                "a picture of {}x{} pixels is not possible on '{}': each side must be 1 to {most}, and 16 bytes a \
+                 pixel fit {} MiB",
+                size[0],
+                size[1],
+                gpu.info.name,
+                limits.max_buffer_size >> 20
             )));
         }
         let texture = |label, format, usage| {
@@ -74,7 +80,7 @@ impl Target {
     /// A lost device.
     pub fn read(&self, gpu: &Gpu) -> Result<Image> {
         let [width, height] = self.size;
-        let row = (u64::from(width) * 16).next_multiple_of(u64::from(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT));
+        let row = row_bytes(width);
         let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
         let staging = gpu.buffer("picture, mapped", row * u64::from(height), usage);
         let mut recorder = Recorder::new(gpu, false);
@@ -93,4 +99,9 @@ impl Target {
         }
         Ok(image)
     }
+}
+
+/// Bytes of a row of a read-back picture.
+fn row_bytes(width: u32) -> u64 {
+    (u64::from(width) * 16).next_multiple_of(u64::from(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT))
 }

@@ -25,7 +25,7 @@ pub struct TransferBuffers {
     pub widgets: wgpu::Buffer,
     /// `array<Piece>`.
     pub pieces: wgpu::Buffer,
-    /// `array<u32>`.
+    /// `array<vec4u>`.
     pub piece_starts: wgpu::Buffer,
     /// `override` constants.
     pub constants: Vec<(&'static str, f64)>,
