@@ -141,7 +141,7 @@ impl GpuRenderer {
         if self.target.as_ref().is_none_or(|t| t.size != frame.size) {
             self.target = Some(Target::new(&self.gpu, frame.size, self.f16)?);
         }
-        let cut = near::cut(&self.mesh, frame.camera);
+        let cut = near::cut(&self.mesh, frame.camera, f64::from(frame.size[0]) / f64::from(frame.size[1]));
         let pieces = cut.as_ref().map(|cut| self.prepare_near_cut(cut)).transpose()?;
         let uniform = self.frame_uniform(frame, pieces);
         self.gpu.queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&uniform));

@@ -1,30 +1,38 @@
-//! The near plane: cells that it cuts are replaced by the pieces beyond it, so that a camera may stand in the mesh.
+//! Cells near the eye: those that the near plane cuts, or that span too many depths, are replaced by pieces, so that a
+//! camera may stand in the mesh.
 
+use std::cmp::Reverse;
 use std::collections::HashMap;
 
 use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::mesh::CellKind;
-use crate::scene::Camera;
-use crate::tet::{TetId, TetMesh, is_positive, split_cell};
+use crate::scene::{Basis, Camera, Projection};
+use crate::tet::{TetMesh, is_positive, split_cell};
 
-/// What a view's near plane leaves of the cells that reach in front of it.
+/// The most that a drawn cell's largest depth may exceed its smallest one, where perspective divides by depths.
+///
+/// RATIO_REASON
+pub const MOST_DEPTH_RATIO: f64 = 4.0;
+
+/// The picture counts as wider by this share, and by as much of the depth: a vertex that is rounded to f32 moves by up
+/// to 5e-8 of the mesh, 5e-4 of the depth at the default near plane.
+const MARGIN: f64 = 1e-3;
+
+/// What replaces a view's cells that cannot be drawn as they are.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NearCut {
-    /// One bit a tetrahedron, 32 a word, lowest first: those with a vertex nearer than the near depth. They are not
-    /// drawn; their pieces are.
+    /// One bit a tetrahedron, 32 a word, lowest first: those that are not drawn. Their pieces are, where they have any.
     pub clipped: Vec<u32>,
-    /// Vertices on the near plane, one for each cut edge, whichever cells share it.
+    /// Vertices on the planes, one for each cut edge, whichever cells share it.
     pub vertices: Vec<CutVertex>,
     /// Positively oriented pieces of the clipped cells, beyond the near plane. Ids below the mesh's vertex count are
     /// the mesh's; the others, less that count, index `vertices`.
     pub tets: Vec<[u32; 4]>,
-    /// The cell that each piece is of.
-    pub parents: Vec<TetId>,
 }
 
-/// A vertex on the near plane; everything is linear along the cut edge.
+/// A vertex on a plane; everything is linear along the cut edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CutVertex {
     /// Mesh space.
@@ -35,62 +43,160 @@ pub struct CutVertex {
     pub gradient_magnitude: f64,
 }
 
-/// Cuts the cells that have a vertex nearer than the camera's near depth; `None` where there are none.
+/// Cuts the cells that reach nearer than the camera's near depth, and for perspective those whose depths differ by
+/// more than [`MOST_DEPTH_RATIO`], at the near depth times powers of that ratio; `None` where there are none. `aspect`
+/// is the picture's width / height.
 ///
-/// Conforming: an edge is cut once for all its cells, and a face's remainder is cut from its smallest vertex id. A
-/// vertex exactly at the near depth is beyond it. Pieces whose volume cannot be told from zero are left out.
-pub fn cut(mesh: &TetMesh, camera: &Camera) -> Option<NearCut> {
+/// Only what the picture may show is cut: of the other cells, those that reach nearer than the near depth are clipped
+/// without pieces. Conforming in the picture: a plane that cuts one cell cuts all, an edge is cut once for all its
+/// cells, and a face's parts are cut from their smallest vertex ids. A vertex exactly on a plane is used itself. Pieces
+/// whose volume cannot be told from zero are left out.
+pub fn cut(mesh: &TetMesh, camera: &Camera, aspect: f64) -> Option<NearCut> {
     let bounds = mesh.bounds();
-    let plane = Plane::new(mesh, camera, bounds.diagonal());
-    if bounds.corners().iter().all(|&corner| plane.is_beyond(corner)) {
+    let view = View::new(mesh, camera, aspect, bounds.diagonal());
+    let box_span = Span::of(bounds.corners().map(|p| view.look(p)));
+    if box_span.min >= view.near && !view.is_too_long(box_span) {
         return None;
     }
-    let beyond: Vec<bool> = mesh.vertices.par_iter().map(|&v| plane.is_beyond(v)).collect();
-    let is_clipped = |tet: &[u32; 4]| !tet.iter().all(|&v| beyond[v as usize]);
+    let planes = view.planes(box_span.max);
+    let looks: Vec<Look> = mesh.vertices.par_iter().map(|&v| view.look(v)).collect();
+    let span = |tet: &[u32; 4]| Span::of(tet.map(|v| looks[v as usize]));
+    let needed = |span: Span| if span.seen && view.is_too_long(span) { span.crossed(&planes) } else { 0 };
+    let used = mesh.tets.par_iter().map(|tet| needed(span(tet))).reduce(|| 0, |a, b| a | b);
+    let is_clipped = |span: Span| span.min < view.near || (span.seen && span.crossed(&planes) & used != 0);
     let clipped: Vec<u32> = mesh
         .tets
         .par_chunks(32)
-        .map(|word| (0u32..).zip(word).fold(0, |bits, (i, tet)| bits | u32::from(is_clipped(tet)) << i))
+        .map(|word| (0u32..).zip(word).fold(0, |bits, (i, tet)| bits | u32::from(is_clipped(span(tet))) << i))
         .collect();
     if clipped.iter().all(|&bits| bits == 0) {
         return None;
     }
-    let mut cutter = Cutter { mesh, plane, cut: NearCut::default(), made: HashMap::new() };
-    for (first, &word) in (0u32..).step_by(32).zip(&clipped) {
+    let mut cutter = Cutter {
+        mesh,
+        looks: &looks,
+        planes: in_cutting_order(&planes, used),
+        cut: NearCut::default(),
+        depths: Vec::new(),
+        made: HashMap::new(),
+    };
+    for (tets, &word) in mesh.tets.chunks(32).zip(&clipped) {
         let mut bits = word;
         while bits != 0 {
-            let tet = TetId(first + bits.trailing_zeros());
-            cutter.cut_cell(tet, mesh.tets[tet.0 as usize].map(|v| beyond[v as usize]));
+            let tet = tets[bits.trailing_zeros() as usize];
+            if span(&tet).seen {
+                cutter.cut_cell(tet);
+            }
             bits &= bits - 1;
         }
     }
     Some(NearCut { clipped, ..cutter.cut })
 }
 
-/// The near plane, mesh space.
-struct Plane {
+/// The camera in mesh space.
+struct View {
     eye: DVec3,
-    forward: DVec3,
-    depth: f64,
+    basis: Basis,
+    near: f64,
+    perspective: bool,
+    /// Half the picture's width and height: at depth 0, and how much they grow with the depth.
+    half: [[f64; 2]; 2],
 }
 
-impl Plane {
-    fn new(mesh: &TetMesh, camera: &Camera, diagonal_in_mesh: f64) -> Self {
+impl View {
+    fn new(mesh: &TetMesh, camera: &Camera, aspect: f64, diagonal_in_mesh: f64) -> Self {
+        let half = match camera.projection {
+            Projection::Perspective { fov_y } => {
+                let tan = (0.5 * fov_y).tan() * (1.0 + MARGIN);
+                [[0.0, tan * aspect + MARGIN], [0.0, tan + MARGIN]]
+            }
+            Projection::Orthographic { height } => {
+                let half = 0.5 * height / mesh.data_per_mesh * (1.0 + MARGIN);
+                [[half * aspect, 0.0], [half, 0.0]]
+            }
+        };
         Self {
             eye: mesh.mesh_from_data(camera.eye),
-            forward: camera.basis().forward,
-            depth: camera.near_depth(diagonal_in_mesh * mesh.data_per_mesh) / mesh.data_per_mesh,
+            basis: camera.basis(),
+            near: camera.near_depth(diagonal_in_mesh * mesh.data_per_mesh) / mesh.data_per_mesh,
+            perspective: matches!(camera.projection, Projection::Perspective { .. }),
+            half,
         }
     }
 
-    /// How far `p` lies beyond the plane.
-    fn excess(&self, p: DVec3) -> f64 {
-        (p - self.eye).dot(self.forward) - self.depth
+    fn look(&self, p: DVec3) -> Look {
+        let (from_eye, axes) = (p - self.eye, &self.basis);
+        let depth = from_eye.dot(axes.forward);
+        let [x, y] = [axes.right, axes.up].map(|axis| from_eye.dot(axis));
+        let [w, h] = self.half.map(|[at_eye, growth]| at_eye + growth * depth);
+        let sides = [x > w, x < -w, y > h, y < -h];
+        Look { depth, outside: (0..4).fold(0, |bits, i| bits | u8::from(sides[i]) << i) }
     }
 
-    fn is_beyond(&self, p: DVec3) -> bool {
-        self.excess(p) >= 0.0
+    fn is_too_long(&self, span: Span) -> bool {
+        self.perspective && span.max > MOST_DEPTH_RATIO * span.min.max(self.near)
     }
+
+    /// The near plane's depth, and those that may cut long cells: as many as a word has bits, which reach over all
+    /// exponents of an f32.
+    fn planes(&self, max: f64) -> Vec<f64> {
+        let count = if self.perspective && self.near > 0.0 { u64::BITS } else { 1 };
+        let depths = (0..count).map(|k| self.near * MOST_DEPTH_RATIO.powi(k as i32));
+        depths.enumerate().take_while(|&(k, depth)| k == 0 || depth < max).map(|(_, depth)| depth).collect()
+    }
+}
+
+/// Where a vertex is in the view.
+#[derive(Clone, Copy)]
+struct Look {
+    depth: f64,
+    /// One bit for each side of the picture that it lies beyond.
+    outside: u8,
+}
+
+/// Where a cell is in the view.
+#[derive(Clone, Copy)]
+struct Span {
+    min: f64,
+    max: f64,
+    /// Not wholly beyond one side of the picture.
+    seen: bool,
+}
+
+impl Span {
+    fn of<const N: usize>(looks: [Look; N]) -> Self {
+        let depths = looks.map(|l| l.depth);
+        Self {
+            min: depths.into_iter().fold(f64::INFINITY, f64::min),
+            max: depths.into_iter().fold(f64::NEG_INFINITY, f64::max),
+            seen: looks.iter().fold(u8::MAX, |bits, l| bits & l.outside) == 0,
+        }
+    }
+
+    /// One bit for each plane that has some of the cell on either side.
+    fn crossed(&self, planes: &[f64]) -> u64 {
+        (0..).zip(planes).fold(0, |bits, (k, &d)| bits | u64::from(self.min < d && d < self.max) << k)
+    }
+}
+
+/// A plane that cuts cells.
+#[derive(Clone, Copy)]
+struct Plane {
+    /// 0 for the near plane, which leaves nothing of its near side.
+    number: u32,
+    depth: f64,
+}
+
+/// The near plane first, then middle ones before those between them: one after the other, they would cut the pieces of
+/// a cell that crosses many ever finer. The same for all cells, so that neighbours agree.
+fn in_cutting_order(planes: &[f64], used: u64) -> Vec<Plane> {
+    let mut order: Vec<Plane> = (0..)
+        .zip(planes)
+        .filter(|&(number, _)| number == 0 || used >> number & 1 == 1)
+        .map(|(number, &depth)| Plane { number, depth })
+        .collect();
+    order.sort_by_key(|plane| Reverse(plane.number.trailing_zeros()));
+    order
 }
 
 /// All ways to name a tetrahedron's corners that keep its orientation.
@@ -111,74 +217,112 @@ const EVEN: [[usize; 4]; 12] = [
 
 struct Cutter<'a> {
     mesh: &'a TetMesh,
-    plane: Plane,
+    /// Of the mesh's vertices.
+    looks: &'a [Look],
+    /// In cutting order.
+    planes: Vec<Plane>,
     cut: NearCut,
-    /// Ids of the vertices made, by the edge's ends in ascending order.
-    made: HashMap<[u32; 2], u32>,
+    /// Of the vertices made: exactly their planes'.
+    depths: Vec<f64>,
+    /// Ids of the vertices made, by the edge's ends in ascending order and the plane's number.
+    made: HashMap<([u32; 2], u32), u32>,
 }
 
 impl Cutter<'_> {
-    fn cut_cell(&mut self, parent: TetId, beyond: [bool; 4]) {
-        let kept = beyond.iter().filter(|&&b| b).count();
-        // The corners beyond the plane first.
-        let is_sorted = |order: &&[usize; 4]| order.iter().enumerate().all(|(at, &i)| beyond[i] == (at < kept));
+    fn cut_cell(&mut self, cell: [u32; 4]) {
+        let mut pieces = vec![cell];
+        for i in 0..self.planes.len() {
+            let plane = self.planes[i];
+            let mut parts = Vec::with_capacity(pieces.len());
+            for &piece in &pieces {
+                self.cut_piece(piece, plane, &mut parts);
+            }
+            pieces = parts;
+        }
+        self.cut.tets.extend(pieces);
+    }
+
+    fn cut_piece(&mut self, piece: [u32; 4], plane: Plane, parts: &mut Vec<[u32; 4]>) {
+        let excess = piece.map(|v| self.depth(v) - plane.depth);
+        let keeps_near_side = plane.number > 0;
+        if excess.iter().all(|&e| e >= 0.0) {
+            parts.push(piece);
+        } else if excess.iter().all(|&e| e <= 0.0) {
+            parts.extend(keeps_near_side.then_some(piece));
+        } else {
+            self.push_side(piece, excess.map(|e| e >= 0.0), plane, parts);
+            if keeps_near_side {
+                self.push_side(piece, excess.map(|e| e < 0.0), plane, parts);
+            }
+        }
+    }
+
+    /// The part of a piece on that side of the plane where the `kept` corners are.
+    fn push_side(&mut self, piece: [u32; 4], kept: [bool; 4], plane: Plane, parts: &mut Vec<[u32; 4]>) {
+        let count = kept.iter().filter(|&&b| b).count();
+        let is_sorted = |order: &&[usize; 4]| order.iter().enumerate().all(|(at, &i)| kept[i] == (at < count));
         let Some(order) = EVEN.iter().find(is_sorted) else { return };
-        let [a, b, c, d] = order.map(|i| self.mesh.tets[parent.0 as usize][i]);
-        match kept {
+        let [a, b, c, d] = order.map(|i| piece[i]);
+        let mut on = |from, to| self.on_edge(from, to, plane);
+        match count {
             1 => {
-                let tet = [a, self.on_edge(a, b), self.on_edge(a, c), self.on_edge(a, d)];
-                self.push(parent, tet);
+                let tet = [a, on(a, b), on(a, c), on(a, d)];
+                self.push(CellKind::Tetrahedron, &tet, parts);
             }
             2 => {
-                let [ac, ad] = [self.on_edge(a, c), self.on_edge(a, d)];
-                let [bc, bd] = [self.on_edge(b, c), self.on_edge(b, d)];
-                self.push_wedge(parent, [a, ac, ad, b, bc, bd]);
+                let wedge = [a, on(a, c), on(a, d), b, on(b, c), on(b, d)];
+                self.push(CellKind::Wedge, &wedge, parts);
             }
             3 => {
-                let [ad, bd, cd] = [self.on_edge(a, d), self.on_edge(b, d), self.on_edge(c, d)];
-                self.push_wedge(parent, [a, b, c, ad, bd, cd]);
+                let wedge = [a, b, c, on(a, d), on(b, d), on(c, d)];
+                self.push(CellKind::Wedge, &wedge, parts);
             }
             _ => {}
         }
     }
 
-    /// The vertex where the edge from `kept`, beyond the plane, to `lost` meets the plane.
-    fn on_edge(&mut self, kept: u32, lost: u32) -> u32 {
-        let mesh = self.mesh;
-        if self.plane.excess(mesh.vertices[kept as usize]) == 0.0 {
-            return kept;
+    /// The vertex where an edge meets a plane that its ends do not lie beyond the same side of.
+    fn on_edge(&mut self, from: u32, to: u32, plane: Plane) -> u32 {
+        if let Some(end) = [from, to].into_iter().find(|&v| self.depth(v) == plane.depth) {
+            return end;
         }
-        let ends = [kept.min(lost), kept.max(lost)];
-        let (plane, vertices) = (&self.plane, &mut self.cut.vertices);
-        *self.made.entry(ends).or_insert_with(|| {
-            let [low, high] = ends.map(|v| v as usize);
-            let [from, to] = [low, high].map(|v| plane.excess(mesh.vertices[v]));
-            let t = from / (from - to);
-            let mix = |values: &[f64]| values[low] + t * (values[high] - values[low]);
-            vertices.push(CutVertex {
-                position: mesh.vertices[low] + t * (mesh.vertices[high] - mesh.vertices[low]),
-                scalar: mix(&mesh.scalar),
-                gradient_magnitude: mix(&mesh.gradient_magnitude),
-            });
-            (mesh.vertices.len() + vertices.len() - 1) as u32
-        })
+        let ends = [from.min(to), from.max(to)];
+        if let Some(&id) = self.made.get(&(ends, plane.number)) {
+            return id;
+        }
+        let ([low, high], [z_low, z_high]) = (ends.map(|v| self.vertex(v)), ends.map(|v| self.depth(v)));
+        let t = (plane.depth - z_low) / (z_high - z_low);
+        self.cut.vertices.push(CutVertex {
+            position: low.position + t * (high.position - low.position),
+            scalar: low.scalar + t * (high.scalar - low.scalar),
+            gradient_magnitude: low.gradient_magnitude + t * (high.gradient_magnitude - low.gradient_magnitude),
+        });
+        self.depths.push(plane.depth);
+        let id = (self.mesh.vertices.len() + self.depths.len() - 1) as u32;
+        self.made.insert((ends, plane.number), id);
+        id
     }
 
-    fn push_wedge(&mut self, parent: TetId, nodes: [u32; 6]) {
-        for &tet in split_cell(CellKind::Wedge, &nodes).as_slice() {
-            self.push(parent, tet);
+    fn depth(&self, v: u32) -> f64 {
+        let v = v as usize;
+        let count = self.looks.len();
+        if v < count { self.looks[v].depth } else { self.depths[v - count] }
+    }
+
+    fn vertex(&self, v: u32) -> CutVertex {
+        let (v, mesh) = (v as usize, self.mesh);
+        match v.checked_sub(mesh.vertices.len()) {
+            Some(i) => self.cut.vertices[i],
+            None => CutVertex {
+                position: mesh.vertices[v],
+                scalar: mesh.scalar[v],
+                gradient_magnitude: mesh.gradient_magnitude[v],
+            },
         }
     }
 
-    fn push(&mut self, parent: TetId, tet: [u32; 4]) {
-        let position = |v: u32| {
-            let v = v as usize;
-            let count = self.mesh.vertices.len();
-            if v < count { self.mesh.vertices[v] } else { self.cut.vertices[v - count].position }
-        };
-        if is_positive(tet.map(position)) {
-            self.cut.tets.push(tet);
-            self.cut.parents.push(parent);
-        }
+    fn push(&self, kind: CellKind, nodes: &[u32], parts: &mut Vec<[u32; 4]>) {
+        let solid = |tet: &&[u32; 4]| is_positive(tet.map(|v| self.vertex(v).position));
+        parts.extend(split_cell(kind, nodes).as_slice().iter().filter(solid));
     }
 }
