@@ -20,21 +20,23 @@ struct BivariateCorner {
     @location(4) gradient: vec2f,
 }
 
+// All positions have w = 1, so perspective interpolation is linear. (Asked for linear interpolation, lavapipe's clipper
+// loses large triangles: the cells around an eye inside the mesh.)
 struct Fragment {
     @builtin(position) position: vec4f,
     // Of the interpolated side: 1/z and scalar/z; two tent functions.
-    @location(0) @interpolate(linear) plane_and_tent: vec4f,
+    @location(0) plane_and_tent: vec4f,
     // The third.
-    @location(1) @interpolate(linear) tent: f32,
+    @location(1) tent: f32,
     // At the apex: thickness (negative where the front is interpolated), change of scalar/z to the other side.
     @location(2) @interpolate(flat) apex: vec2f,
 }
 
 struct BivariateFragment {
     @builtin(position) position: vec4f,
-    @location(0) @interpolate(linear) plane_and_tent: vec4f,
+    @location(0) plane_and_tent: vec4f,
     // The third tent function, and gradient/z.
-    @location(1) @interpolate(linear) tent_and_gradient: vec2f,
+    @location(1) tent_and_gradient: vec2f,
     @location(2) @interpolate(flat) apex: vec3f,
 }
 

@@ -150,7 +150,6 @@ fn a_regular_box_is_watertight() {
 }
 
 #[test]
-#[ignore = "known bug: the cell that holds the eye is drawn wrongly"]
 fn a_regular_box_is_watertight_from_inside() {
     is_watertight(&regular(), Place::Inside, 10, "regular");
 }
@@ -161,7 +160,6 @@ fn a_delaunay_box_is_watertight() {
 }
 
 #[test]
-#[ignore = "known bug: the cell that holds the eye is drawn wrongly"]
 fn a_delaunay_box_is_watertight_from_inside() {
     is_watertight(&random(), Place::Inside, 10, "random");
 }

@@ -150,7 +150,6 @@ fn all_functions(mesh: &Arc<TetMesh>, what: &str) {
 
 /// The rasteriser snaps three corners of a cell, on a line within 0.003 pixel, each its own way, by 0.002.
 #[test]
-#[ignore = "known bug: pixel (44, 82) errs by 0.09"]
 fn a_face_seen_edge_on_agrees() {
     let mesh = meshes::sample(Sample::Tangle, 20_000);
     let transfer = TransferFunction::Widgets(vec![Axes::of(&mesh).band()]);
