@@ -291,7 +291,8 @@ fn few_cells_of_a_large_mesh_are_cut() {
             cut.vertices.len(),
             mesh.tets.len()
         );
-        assert!((50..20_000).contains(&cut.tets.len()), "{}", cut.tets.len());
+        // Measured: 337 to 2,086.
+        assert!((50..5_000).contains(&cut.tets.len()), "{}", cut.tets.len());
         check_vertices(&mesh, &camera, &cut).expect("sound");
         assert_eq!(unmatched_faces(&mesh, &camera, &cut), 0);
     }

@@ -151,7 +151,7 @@ impl GpuRenderer {
         let survivors = self.sort_cells(&mut recorder, &all, pieces, uniform.vertex_count)?;
         let mut notes = Vec::new();
         if let Some(p) = pieces {
-            notes.push(format!("the near plane cuts cells: {} pieces of them are drawn instead", p.range.count));
+            notes.push(format!("cells near the eye were cut: {} pieces of them are drawn instead", p.range.count));
         }
         let passes = if self.f16 {
             let (slabs, passes) = self.raster_slabs(recorder, timed)?;

@@ -13,7 +13,9 @@ use crate::tet::{TetMesh, is_positive, split_cell};
 
 /// The most that a drawn cell's largest depth may exceed its smallest one, where perspective divides by depths.
 ///
-/// RATIO_REASON
+/// There, 1/z is interpolated over the picture in f32, with an error relative to the largest 1/z: at the cell's far end
+/// it counts as many times as the ratio says. Powers of 4 are exact, and 7 planes reach from the default near depth
+/// over the whole mesh. Measured: 300 to 2,100 pieces for an eye within 200,000 cells.
 pub const MOST_DEPTH_RATIO: f64 = 4.0;
 
 /// The picture counts as wider by this share, and by as much of the depth: a vertex that is rounded to f32 moves by up
