@@ -24,14 +24,13 @@ var<workgroup> block_flags: array<atomic<u32>, 8>;
 fn curve_bound(low: f32, high: f32) -> f32 {
     var most = 0.0;
     for (var i = piece_starts[u32(low * 256.0)].x; i < PIECES; i++) {
-        let piece = pieces[i];
-        if piece.scalar_low > high {
+        if nodes[i].x > high {
             break;
         }
-        let inside = clamp(vec2f(low, high), vec2f(piece.scalar_low), vec2f(piece.scalar_high)) - piece.scalar_low;
-        if low <= piece.scalar_high {
-            let a = piece.low + inside.x * piece.slope;
-            let b = piece.low + inside.y * piece.slope;
+        let inside = clamp(vec2f(low, high), vec2f(nodes[i].x), vec2f(nodes[i + 1u].x));
+        if low <= nodes[i + 1u].x {
+            let a = max(pieces[i].origin + inside.x * pieces[i].slope, vec4f(0.0));
+            let b = max(pieces[i].origin + inside.y * pieces[i].slope, vec4f(0.0));
             let color = max(max(a, b), vec4f(1.0));
             most = max(most, max(a.w, b.w) * max(color.r, max(color.g, color.b)));
         }

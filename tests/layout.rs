@@ -62,7 +62,7 @@ fn hosts() -> Vec<Host> {
             gradient_low,
             gradient_high,
         }),
-        host!(Piece { low, slope, scalar_low, scalar_high, pad_a, pad_b }),
+        host!(Piece { origin, slope }),
         host!(Chunk { first_cell, cells, pad_a, pad_b }),
     ]
 }
@@ -117,7 +117,7 @@ fn hosts_and_shaders_agree() {
 
 #[test]
 fn planted_differences_are_found() {
-    let host = host!(Piece { low, slope, scalar_low, scalar_high, pad_a, pad_b });
+    let host = host!(Piece { origin, slope });
     let layout_of = |members: &str| {
         let source = format!("struct Piece {{ {members} }} @group(0) @binding(0) var<uniform> piece: Piece;");
         let module = naga::front::wgsl::parse_str(&source).expect("a struct");

@@ -22,21 +22,19 @@ struct Widget {
 
 // A linear piece of a 1D function; the first and last are constant and reach beyond 0..1.
 struct Piece {
-    // Colour and extinction at the low end.
-    low: vec4f,
-    // Their change over the piece, per unit of the scalar.
+    // Colour and extinction at the scalar 0, were the piece so long.
+    origin: vec4f,
+    // Their change per unit of the scalar.
     slope: vec4f,
-    scalar_low: f32,
-    scalar_high: f32,
-    pad_a: f32,
-    pad_b: f32,
 }
 
-// Uniform buffers: software adapters read them ten times faster than storage.
+// Uniform buffers: software adapters read them ten times faster than storage. What is read a fragment is kept small.
 @group(2) @binding(0) var<uniform> widgets: array<Widget, 64>;
 @group(2) @binding(1) var<uniform> pieces: array<Piece, 1024>;
+// Where piece i begins (in x); piece i - 1 ends there.
+@group(2) @binding(2) var<uniform> nodes: array<vec4f, 1025>;
 // For each of 256 equal parts of 0..1: the first and the last piece in it.
-@group(2) @binding(2) var<uniform> piece_starts: array<vec4u, 257>;
+@group(2) @binding(3) var<uniform> piece_starts: array<vec4u, 257>;
 
 override WIDGETS: u32 = 0u;
 override PIECES: u32 = 0u;
@@ -59,25 +57,25 @@ fn curve_segment(scalars: vec2f, extent: f32) -> vec4f {
     let rising = scalars.y - scalars.x > 1e-30;
     let change = select(min(scalars.y - scalars.x, -1e-30), scalars.y - scalars.x, rising);
     // The start may be a piece early: then the first turn has no length.
-    let starts = piece_starts[u32(scalars.x * 256.0)];
-    var i = select(starts.y, starts.x, rising);
+    let part_of_range = u32(scalars.x * 256.0);
+    let falls = select(1u, 0u, rising);
+    var i = piece_starts[part_of_range][falls];
     let last = select(0u, PIECES - 1u, rising);
     var at = 0.0;
     var color = vec3f(0.0);
     var transmittance = 1.0;
     loop {
-        let low = pieces[i].low;
+        let origin = pieces[i].origin;
         let slope = pieces[i].slope;
-        let scalar_low = pieces[i].scalar_low;
         // Where the ray leaves the piece, if it does.
-        let bound = select(scalar_low, pieces[i].scalar_high, rising);
+        let bound = nodes[i + 1u - falls].x;
         let leaves = select((scalars.y < bound), (scalars.y > bound), rising) && i != last;
         var end = 1.0;
         if leaves {
             end = clamp((bound - scalars.x) / change, at, 1.0);
         }
-        let front = max(low + (scalars.x + change * at - scalar_low) * slope, vec4f(0.0));
-        var back = max(low + (scalars.x + change * end - scalar_low) * slope, vec4f(0.0));
+        let front = max(origin + (scalars.x + change * at) * slope, vec4f(0.0));
+        var back = max(origin + (scalars.x + change * end) * slope, vec4f(0.0));
         let step = extent * (end - at);
         // Squares stay finite.
         let a = min(front.w * step, 1e15);

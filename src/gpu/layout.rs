@@ -76,12 +76,8 @@ pub struct Widget {
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 #[expect(missing_docs, reason = "the fields are documented in the shader")]
 pub struct Piece {
-    pub low: [f32; 4],
+    pub origin: [f32; 4],
     pub slope: [f32; 4],
-    pub scalar_low: f32,
-    pub scalar_high: f32,
-    pub pad_a: f32,
-    pub pad_b: f32,
 }
 
 /// `project.wgsl`.

@@ -131,6 +131,7 @@ impl GpuRenderer {
             .with("frame", &self.frame)
             .with("widgets", &t.widgets)
             .with("pieces", &t.pieces)
+            .with("nodes", &t.nodes)
             .with("piece_starts", &t.piece_starts)
     }
 

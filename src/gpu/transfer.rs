@@ -4,7 +4,7 @@ use crate::error::{Error, Result};
 use crate::gpu::device::Gpu;
 use crate::gpu::layout::{Piece, Widget as GpuWidget};
 use crate::gpu::mesh::Normalisation;
-use crate::scene::{Curve, TransferFunction, Widget, WidgetShape};
+use crate::scene::{Curve, CurveNode, TransferFunction, Widget, WidgetShape};
 
 /// Widgets and pieces that the shaders hold: the lengths of their uniform arrays.
 pub const MOST_WIDGETS: usize = 64;
@@ -25,6 +25,8 @@ pub struct TransferBuffers {
     pub widgets: wgpu::Buffer,
     /// `array<Piece>`.
     pub pieces: wgpu::Buffer,
+    /// Where pieces begin, `array<vec4f>`.
+    pub nodes: wgpu::Buffer,
     /// `array<vec4u>`.
     pub piece_starts: wgpu::Buffer,
     /// `override` constants.
@@ -45,9 +47,9 @@ impl TransferBuffers {
         gradient: Normalisation,
         data_per_mesh: f64,
     ) -> Result<Self> {
-        let (mut widgets, mut pieces): (Vec<GpuWidget>, Vec<Piece>) = match transfer {
+        let (mut widgets, (mut pieces, nodes)): (Vec<GpuWidget>, (Vec<Piece>, Vec<f64>)) = match transfer {
             TransferFunction::Widgets(list) => {
-                (list.iter().map(|w| widget(w, scalar, gradient, data_per_mesh)).collect(), Vec::new())
+                (list.iter().map(|w| widget(w, scalar, gradient, data_per_mesh)).collect(), Default::default())
             }
             TransferFunction::Curve(curve) => (Vec::new(), curve_pieces(curve, scalar, data_per_mesh)),
         };
@@ -60,7 +62,9 @@ impl TransferBuffers {
                 pieces.len()
             )));
         }
-        let starts = piece_starts(&pieces);
+        let starts = piece_starts(&nodes);
+        let mut nodes: Vec<[f32; 4]> = nodes.iter().map(|&n| [n as f32, 0.0, 0.0, 0.0]).collect();
+        nodes.resize(MOST_PIECES + 1, [0.0; 4]);
         let bivariate = widgets.iter().any(|w| {
             w.shape == 1 && (w.whiten[1] != 0.0 || w.whiten[3] != 0.0) || [w.gradient_low, w.gradient_high] != UNBOUNDED
         });
@@ -86,6 +90,7 @@ impl TransferBuffers {
                 pieces.resize(MOST_PIECES, Piece::default());
                 gpu.uniform("pieces", &pieces)
             },
+            nodes: gpu.uniform("nodes", &nodes),
             piece_starts: gpu.uniform("piece_starts", &starts),
             constants,
             bivariate,
@@ -130,50 +135,37 @@ fn widget(w: &Widget, scalar: Normalisation, gradient: Normalisation, data_per_m
     }
 }
 
-fn curve_pieces(curve: &Curve, scalar: Normalisation, data_per_mesh: f64) -> Vec<Piece> {
-    let nodes: Vec<(f64, [f32; 4])> = curve
-        .nodes
-        .iter()
-        .map(|n| {
-            let [r, g, b] = n.color;
-            (scalar.apply(n.scalar), [r as f32, g as f32, b as f32, (n.extinction * data_per_mesh) as f32])
-        })
-        .collect();
-    let (Some(first), Some(last)) = (nodes.first(), nodes.last()) else { return Vec::new() };
-    let constant = |value, low: f64, high: f64| Piece {
-        low: value,
-        scalar_low: low as f32,
-        scalar_high: high as f32,
-        ..Default::default()
+/// The curve's pieces, and where each begins (and the last ends).
+fn curve_pieces(curve: &Curve, scalar: Normalisation, data_per_mesh: f64) -> (Vec<Piece>, Vec<f64>) {
+    let node = |n: &CurveNode| {
+        let [r, g, b] = n.color;
+        (scalar.apply(n.scalar), [r, g, b, n.extinction * data_per_mesh])
     };
-    let mut pieces = vec![constant(first.1, first.0.min(0.0) - 1.0, first.0)];
-    pieces.extend(curve.nodes.windows(2).zip(nodes.windows(2)).map(|(data, pair)| {
-        let width = pair[1].0 - pair[0].0;
-        let slope = |low: f64, high: f64| ((high - low) / width) as f32;
-        let [a, b] = [&data[0], &data[1]];
-        Piece {
-            low: pair[0].1,
-            slope: [
-                slope(a.color[0], b.color[0]),
-                slope(a.color[1], b.color[1]),
-                slope(a.color[2], b.color[2]),
-                slope(a.extinction * data_per_mesh, b.extinction * data_per_mesh),
-            ],
-            scalar_low: pair[0].0 as f32,
-            scalar_high: pair[1].0 as f32,
-            ..Default::default()
-        }
+    let ends: Vec<(f64, [f64; 4])> = curve.nodes.iter().map(node).collect();
+    let (Some(&(first, before)), Some(&(last, after))) = (ends.first(), ends.last()) else {
+        return (Vec::new(), Vec::new());
+    };
+    let constant = |value: [f64; 4]| Piece { origin: value.map(|v| v as f32), slope: [0.0; 4] };
+    let mut pieces = vec![constant(before)];
+    pieces.extend(ends.windows(2).map(|pair| {
+        let ((from, low), (to, high)) = (pair[0], pair[1]);
+        let slope: [f64; 4] = std::array::from_fn(|i| (high[i] - low[i]) / (to - from));
+        Piece { origin: std::array::from_fn(|i| (low[i] - slope[i] * from) as f32), slope: slope.map(|v| v as f32) }
     }));
-    pieces.push(constant(last.1, last.0, last.0.max(1.0) + 1.0));
-    pieces
+    pieces.push(constant(after));
+    let mut starts = vec![first.min(0.0) - 1.0];
+    starts.extend(ends.iter().map(|e| e.0));
+    starts.push(last.max(1.0) + 1.0);
+    (pieces, starts)
 }
 
 /// For each of 256 equal parts of 0..1 (and for 1 itself), the first and the last piece that reach into it.
-fn piece_starts(pieces: &[Piece]) -> Vec<[u32; 4]> {
-    // The last piece whose low end is at or below the scalar.
-    let holder = |scalar: f32| pieces.iter().take_while(|p| p.scalar_low <= scalar).count().saturating_sub(1) as u32;
+fn piece_starts(nodes: &[f64]) -> Vec<[u32; 4]> {
+    let pieces = nodes.len().saturating_sub(1);
+    // The last piece that begins at or below the scalar.
+    let holder = |at: f64| nodes[..pieces].iter().take_while(|&&n| n <= at).count().saturating_sub(1) as u32;
     // A hair wider: the shader's rounding must not skip a piece.
-    (0..257u16).map(|i| [holder((f32::from(i) - 0.01) / 256.0), holder((f32::from(i) + 1.01) / 256.0), 0, 0]).collect()
+    (0..257u16).map(|i| [holder((f64::from(i) - 0.01) / 256.0), holder((f64::from(i) + 1.01) / 256.0), 0, 0]).collect()
 }
 
 fn check(widgets: &[GpuWidget], pieces: &[Piece]) -> Result<()> {
@@ -187,7 +179,7 @@ fn check(widgets: &[GpuWidget], pieces: &[Piece]) -> Result<()> {
         }
     }
     for (i, p) in pieces.iter().enumerate() {
-        if !(finite(&p.low) && finite(&p.slope) && p.scalar_low.is_finite() && p.scalar_high.is_finite()) {
+        if !(finite(&p.origin) && finite(&p.slope)) {
             return Err(Error::Asked(format!("curve: the nodes around piece {i} are beyond f32 on this mesh")));
         }
     }
