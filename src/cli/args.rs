@@ -141,7 +141,7 @@ pub(super) struct SceneArgs {
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, conflicts_with_all = ["eye", "target", "up"])]
     pub elevation: Option<f64>,
     /// Depth where the picture begins, data units [default: 1e-4 of the mesh's diagonal]
-    #[arg(long, value_name = "DEPTH")]
+    #[arg(allow_hyphen_values = true, long, value_name = "DEPTH")]
     pub near: Option<f64>,
     /// Any scene key, as transfer.widget.0.extinction=3 (list items count from 0); may be repeated
     #[arg(long, value_name = "KEY=VALUE", value_parser = parse::assignment)]
