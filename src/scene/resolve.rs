@@ -11,7 +11,7 @@ impl Scene {
     /// Camera and transfer function for `mesh`, both in data units.
     ///
     /// # Errors
-    /// [`Error::Asked`] where the camera looks nowhere (its eye at the mesh's centre, say).
+    /// [`crate::Error::Asked`] where the camera looks nowhere (its eye at the mesh's centre, say).
     pub fn resolve(&self, mesh: &TetMesh) -> Result<(Camera, TransferFunction)> {
         let bounds = mesh.bounds_in_data();
         let camera = self.camera.resolve(&bounds, f64::from(self.size[0]) / f64::from(self.size[1]))?;
