@@ -1,0 +1,113 @@
+//! Blending in f16 slabs against f32, pictures that strain the numbers, and cameras far away.
+
+#![expect(clippy::print_stdout, reason = "what was measured, for `--nocapture`")]
+
+mod common;
+
+use std::sync::Arc;
+
+use common::gpu::{draw, renderer};
+use common::meshes;
+use glam::DVec3;
+use tetralux::image::{Comparison, Image};
+use tetralux::mesh::synth::Sample;
+use tetralux::oracle::Oracle;
+use tetralux::renderer::{BlendFormat, Frame, Settings};
+use tetralux::scene::{Camera, Curve, CurveNode, Projection, TransferFunction};
+use tetralux::tet::TetMesh;
+
+const SIZE: [u32; 2] = [96, 96];
+
+/// Largest error of a channel that f16 slabs may have. Measured on lavapipe, which rounds halves towards zero: 4.5e-3;
+/// without slabs 3e-2 and more.
+const F16_ERROR: f64 = 1e-2;
+
+fn curve(mesh: &TetMesh, extinctions: [f64; 3], colors: [[f64; 3]; 3]) -> TransferFunction {
+    let range = mesh.scalar_range();
+    let nodes = (0..3).map(|i| CurveNode {
+        scalar: range.min + 0.5 * i as f64 * range.length(),
+        color: colors[i],
+        extinction: extinctions[i],
+    });
+    TransferFunction::Curve(Curve { nodes: nodes.collect() })
+}
+
+fn rainbow(mesh: &TetMesh, depth: f64) -> TransferFunction {
+    let k = depth / meshes::center_and_diagonal(mesh).1;
+    curve(mesh, [0.5 * k, k, 2.0 * k], [[1.0, 0.2, 0.1], [0.2, 1.0, 0.1], [0.1, 0.2, 1.0]])
+}
+
+/// `distance` in diagonals; the mesh fills the picture.
+fn camera(mesh: &TetMesh, distance: f64, perspective: bool) -> Camera {
+    let (target, diagonal) = meshes::center_and_diagonal(mesh);
+    let eye = target + distance * diagonal * DVec3::new(0.5, 0.62, 0.6).normalize();
+    let projection = match perspective {
+        true => Projection::Perspective { fov_y: 2.0 * (0.5 / distance).atan() },
+        false => Projection::Orthographic { height: diagonal },
+    };
+    Camera { eye, target, up: DVec3::Y, projection, near: None }
+}
+
+fn truth(mesh: &Arc<TetMesh>, camera: &Camera, transfer: &TransferFunction) -> Image {
+    let frame = Frame { camera, transfer, size: SIZE, background: [0.0; 4] };
+    Oracle::new(mesh.clone()).image(&frame).expect("a picture")
+}
+
+#[test]
+fn f16_slabs_come_near_f32() {
+    // More than 64 layers, so that there are several slabs, and several frames, so that they are found and kept.
+    let mesh = meshes::sample(Sample::Tangle, 60_000);
+    let (camera, transfer) = (camera(&mesh, 2.0, true), rainbow(&mesh, 4.0));
+    let want = draw(&mut renderer(&mesh, Settings::default()), &camera, &transfer, SIZE).image;
+    let mut f16 = renderer(&mesh, Settings { blend: BlendFormat::F16, ..Default::default() });
+    let first = draw(&mut f16, &camera, &transfer, SIZE);
+    let again = draw(&mut f16, &camera, &transfer, SIZE);
+    assert_eq!(first.image, again.image);
+    let note = first.stats.notes.iter().find(|n| n.contains("f16")).expect("a note on slabs");
+    assert!(!note.contains("in 1 slabs"), "{note}");
+    let comparison = Comparison::new(&first.image, &want).expect("equal sizes");
+    println!("f16, {note}: largest error {:.1e}, PSNR {:.1}", comparison.max, comparison.psnr);
+    assert!(comparison.max <= F16_ERROR && comparison.psnr > 45.0, "{comparison}");
+    assert!(comparison.max > 0.0, "f16 was not used");
+    let mut planted = first.image;
+    planted.pixels[SIZE[0] as usize * 48 + 48][0] += 1.5 * F16_ERROR as f32;
+    assert!(Comparison::new(&planted, &want).expect("equal sizes").max > F16_ERROR);
+}
+
+#[test]
+fn ramps_to_absurd_extinctions_end() {
+    // A loop that took steps too small never ended here.
+    let mesh = meshes::sample(Sample::Tangle, 2_000);
+    let colors = [[1.0, 0.5, 0.2]; 3];
+    for top in [1e4, 1e9, 1e20] {
+        let transfer = curve(&mesh, [0.0, 0.0, top], colors);
+        let camera = camera(&mesh, 2.0, true);
+        let got = draw(&mut renderer(&mesh, Settings::default()), &camera, &transfer, SIZE).image;
+        let comparison = Comparison::new(&got, &truth(&mesh, &camera, &transfer)).expect("equal sizes");
+        println!(
+            "up to {top:.0e}: {} pixels above 2e-3, {} not finite",
+            comparison.pixels_above(2e-3).count(),
+            comparison.not_finite
+        );
+        assert_eq!(comparison.not_finite, 0);
+        // The surface where it begins is as steep as a silhouette. At 1e20 the reference's quadrature fails, not this.
+        if top < 1e10 {
+            assert!(comparison.pixels_above(2e-3).count() < 60, "{comparison}");
+        }
+    }
+}
+
+#[test]
+fn far_cameras_see_the_same() {
+    let mesh = meshes::sample(Sample::Tangle, 6_000);
+    let transfer = curve(&mesh, [0.5, 1.0, 2.0], [[1.0, 0.5, 0.2]; 3]);
+    for perspective in [true, false] {
+        for distance in [2.0, 1e3, 1e5] {
+            let camera = camera(&mesh, distance, perspective);
+            let got = draw(&mut renderer(&mesh, Settings::default()), &camera, &transfer, SIZE).image;
+            let comparison = Comparison::new(&got, &truth(&mesh, &camera, &transfer)).expect("equal sizes");
+            println!("{distance:.0e} diagonals away, perspective {perspective}: PSNR {:.1}", comparison.psnr);
+            assert!(comparison.psnr > 75.0, "{distance} diagonals away, perspective {perspective}: {comparison}");
+        }
+    }
+}
