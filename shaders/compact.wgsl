@@ -1,5 +1,6 @@
 #import shared/frame
 #import shared/counts
+#import shared/scan
 
 // Turns block counts into block offsets (exclusive scan), and writes the arguments of the indirect sort and draws.
 // One workgroup: a block stands for 256 cells, so that even 100 million cells are 1,526 turns of its loop.
@@ -12,8 +13,6 @@
 const SORT_TILE: u32 = 1024u;
 const SORT_ROW: u32 = 32768u; // below the limit of 65,535 groups a dimension
 
-var<workgroup> partial: array<u32, 256>;
-
 @compute @workgroup_size(256)
 fn main(@builtin(local_invocation_index) lane: u32) {
     let blocks = (frame.tet_count + 255u) / 256u;
@@ -24,19 +23,9 @@ fn main(@builtin(local_invocation_index) lane: u32) {
         if i < blocks {
             count = block_counts[i];
         }
-        partial[lane] = count;
-        for (var reach = 1u; reach < 256u; reach *= 2u) {
-            workgroupBarrier();
-            var left = 0u;
-            if lane >= reach {
-                left = partial[lane - reach];
-            }
-            workgroupBarrier();
-            partial[lane] += left;
-        }
-        workgroupBarrier();
+        let inclusive = scan(lane, count);
         if i < blocks {
-            block_offsets[i] = before + partial[lane] - count;
+            block_offsets[i] = before + inclusive - count;
         }
         before += partial[255];
         workgroupBarrier();

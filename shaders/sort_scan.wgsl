@@ -1,12 +1,11 @@
 #import shared/counts
+#import shared/scan
 
 // One workgroup a digit: exclusive scan of its counts over the tiles, and their total.
 
 @group(3) @binding(0) var<storage, read> counts: Counts;
 @group(3) @binding(1) var<storage, read_write> digit_counts: array<u32>; // [digit][tile], counts in, offsets out
 @group(3) @binding(2) var<storage, read_write> digit_totals: array<u32>;
-
-var<workgroup> partial: array<u32, 256>;
 
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lane: u32) {
@@ -18,19 +17,9 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) la
         if tile < counts.sort_tiles {
             count = digit_counts[row + tile];
         }
-        partial[lane] = count;
-        for (var reach = 1u; reach < 256u; reach *= 2u) {
-            workgroupBarrier();
-            var left = 0u;
-            if lane >= reach {
-                left = partial[lane - reach];
-            }
-            workgroupBarrier();
-            partial[lane] += left;
-        }
-        workgroupBarrier();
+        let inclusive = scan(lane, count);
         if tile < counts.sort_tiles {
-            digit_counts[row + tile] = before + partial[lane] - count;
+            digit_counts[row + tile] = before + inclusive - count;
         }
         before += partial[255];
         workgroupBarrier();

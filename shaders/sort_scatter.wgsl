@@ -1,4 +1,5 @@
 #import shared/counts
+#import shared/scan
 
 // Sorts each tile of 1,024 keys by the round's digit in workgroup memory (two stable counting sorts of 4 bits), then
 // writes it to its place: runs of equal digits stay together, so that writes are mostly side by side.
@@ -17,23 +18,6 @@ var<workgroup> tile_keys: array<u32, 1024>;
 var<workgroup> tile_values: array<u32, 1024>;
 // Counts of 4-bit digits, two to a word (a tile's counts fit 16 bits): [digit pair][thread].
 var<workgroup> nibble_counts: array<u32, 2048>;
-var<workgroup> partial: array<u32, 256>;
-
-// Inclusive scan of one word a thread.
-fn scan(lane: u32, value: u32) -> u32 {
-    partial[lane] = value;
-    for (var reach = 1u; reach < 256u; reach *= 2u) {
-        workgroupBarrier();
-        var left = 0u;
-        if lane >= reach {
-            left = partial[lane - reach];
-        }
-        workgroupBarrier();
-        partial[lane] += left;
-    }
-    workgroupBarrier();
-    return partial[lane];
-}
 
 // Stable counting sort of the tile by 4 bits. A thread holds 4 neighbouring keys.
 fn sort_nibble(lane: u32, shift: u32) {

@@ -26,6 +26,7 @@ const SOURCES: &[(&str, &str)] = sources![
     "shared/counts",
     "shared/frame",
     "shared/range",
+    "shared/scan",
     "shared/tets",
     "shared/transfer",
     "sort_count",
