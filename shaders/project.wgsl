@@ -27,7 +27,7 @@
 // the apex, the thickness (negative where the front is the interpolated side) and the change of scalar/z from the
 // interpolated to the other side; with BIVARIATE gradient/z and its change.
 //
-// Few and plain stores: on software adapters each costs as much as a hundred operations.
+// Few and plain stores: on a software adapter they were most of the time of this pass.
 @group(3) @binding(5) var<storage, read_write> corners: array<f32>;
 
 struct Chunk {

@@ -28,7 +28,7 @@ struct Piece {
     slope: vec4f,
 }
 
-// Uniform buffers: software adapters read them ten times faster than storage. What is read a fragment is kept small.
+// Uniform buffers: software adapters read them faster than storage. What is read a fragment is kept small.
 @group(2) @binding(0) var<uniform> widgets: array<Widget, 64>;
 @group(2) @binding(1) var<uniform> pieces: array<Piece, 1024>;
 // Where piece i begins (in x); piece i - 1 ends there.
