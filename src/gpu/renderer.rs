@@ -200,17 +200,23 @@ impl GpuRenderer {
         let (gpu, store) = (&self.gpu, &self.store);
         let raster_groups = scene.raster.bind(gpu, all)?;
         let mut load = EMPTY;
-        for (chunk, uniform) in (0u64..).zip(&store.chunks[..most.max(1).div_ceil(store.chunk_cells) as usize]) {
-            let groups = scene.project.bind(gpu, &all.clone().with("chunk", uniform))?;
-            recorder.compute(&scene.project, &groups, Work::Items(store.chunk_cells))?;
+        for chunk in 0..most.max(1).div_ceil(store.chunk_cells) {
+            self.project_chunk(recorder, all, chunk)?;
             recorder.draw(&scene.raster, &raster_groups, &[(&target.blended, load)], |pass| {
                 pass.set_index_buffer(store.indices.slice(..), wgpu::IndexFormat::Uint32);
                 pass.set_vertex_buffer(0, store.cells.corners.slice(..));
-                pass.draw_indexed_indirect(&store.cells.draws, chunk * 20);
+                pass.draw_indexed_indirect(&store.cells.draws, u64::from(chunk) * 20);
             })?;
             load = wgpu::LoadOp::Load;
         }
         self.finish_picture(recorder, &target.blended)
+    }
+
+    /// Makes the corners of one chunk's cells.
+    fn project_chunk(&self, recorder: &mut Recorder<'_>, all: &Resources<'_>, chunk: u32) -> Result<()> {
+        let project = &self.scene.as_ref().ok_or_else(unprepared)?.project;
+        let resources = all.clone().with("chunk", &self.store.chunks[chunk as usize]);
+        recorder.compute(project, &project.bind(&self.gpu, &resources)?, Work::Items(self.store.chunk_cells))
     }
 
     fn finish_picture(&self, recorder: &mut Recorder<'_>, composed: &wgpu::TextureView) -> Result<()> {
@@ -269,9 +275,7 @@ impl GpuRenderer {
             let last_chunk = (range.end - 1) / store.chunk_cells;
             for chunk in first_chunk..=last_chunk {
                 if projected != Some(chunk) {
-                    let uniform = &store.chunks[chunk as usize];
-                    let groups = scene.project.bind(gpu, &all.clone().with("chunk", uniform))?;
-                    recorder.compute(&scene.project, &groups, Work::Items(store.chunk_cells))?;
+                    self.project_chunk(recorder, &all, chunk)?;
                     projected = Some(chunk);
                 }
                 let first = chunk * store.chunk_cells;
