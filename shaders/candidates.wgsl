@@ -12,6 +12,17 @@
 @group(1) @binding(3) var<storage, read> gradients: array<f32>;
 @group(3) @binding(1) var<storage, read_write> candidates: array<u32>; // one bit a cell of the range
 
+// The bands of each cell of the range that is a candidate (curves only).
+@group(3) @binding(2) var<storage, read_write> cell_bands: array<u32>;
+@group(3) @binding(3) var<storage, read_write> band_totals: BandTotals;
+@group(3) @binding(4) var<storage, read_write> banded: array<u32>; // one bit a cell of the range: it has several bands
+
+struct BandTotals {
+    bands: atomic<u32>,
+    // In one cell.
+    most: atomic<u32>,
+}
+
 // Off: every cell of non-zero volume is a candidate.
 override CULL: bool = true;
 
@@ -19,6 +30,7 @@ override CULL: bool = true;
 const INVISIBLE: f32 = 1e-9;
 
 var<workgroup> block_flags: array<atomic<u32>, 8>;
+var<workgroup> block_banded: array<atomic<u32>, 8>;
 
 // Largest extinction over scalars in [low, high].
 fn curve_bound(low: f32, high: f32) -> f32 {
@@ -36,6 +48,36 @@ fn curve_bound(low: f32, high: f32) -> f32 {
         }
     }
     return most;
+}
+
+// The bands over scalars in [low, high], without what is transparent below and above.
+fn bands_between(low: f32, high: f32) -> u32 {
+    var first = piece_starts[u32(low * 256.0)].x;
+    while first + 1u < PIECES && nodes[first + 1u].x <= low {
+        first++;
+    }
+    var end = first + 1u;
+    while end < PIECES && nodes[end].x < high {
+        end++;
+    }
+    var seen = vec2u(first, end);
+    while seen.x + 1u < end && transparent(seen.x) {
+        seen.x++;
+    }
+    while seen.y > seen.x + 1u && transparent(seen.y - 1u) {
+        seen.y--;
+    }
+    return packed_bands(seen.x, min(seen.y - seen.x, 255u), seen.x == first, seen.y == end);
+}
+
+fn transparent(piece: u32) -> bool {
+    return node_values[piece].w <= 0.0 && node_values[piece + 1u].w <= 0.0;
+}
+
+// Scalars from the lowest to the highest.
+fn scalar_range(tet: vec4u) -> vec2f {
+    let s = vec4f(vertices[tet.x].w, vertices[tet.y].w, vertices[tet.z].w, vertices[tet.w].w);
+    return vec2f(min(min(s.x, s.y), min(s.z, s.w)), max(max(s.x, s.y), max(s.z, s.w)));
 }
 
 fn distance_to_edge(a: vec2f, b: vec2f) -> f32 {
@@ -149,15 +191,27 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     let i = block * 256u + lane;
     if lane < 8u {
         atomicStore(&block_flags[lane], 0u);
+        atomicStore(&block_banded[lane], 0u);
     }
     workgroupBarrier();
     if i < range.tet_count && volumes[i] != 0.0 {
         if !CULL || reaches(tets[i]) {
             atomicOr(&block_flags[lane >> 5u], 1u << (i & 31u));
+            if PIECES > 0u {
+                let scalars = scalar_range(tets[i]);
+                let bands = bands_between(scalars.x, scalars.y);
+                cell_bands[i] = bands;
+                atomicAdd(&band_totals.bands, band_count(bands));
+                atomicMax(&band_totals.most, band_count(bands));
+                if band_count(bands) > 1u {
+                    atomicOr(&block_banded[lane >> 5u], 1u << (i & 31u));
+                }
+            }
         }
     }
     workgroupBarrier();
     if block * 256u < range.tet_count && lane < 8u {
         candidates[block * 8u + lane] = atomicLoad(&block_flags[lane]);
+        banded[block * 8u + lane] = atomicLoad(&block_banded[lane]);
     }
 }

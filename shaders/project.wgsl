@@ -1,6 +1,7 @@
 #import shared/frame
 #import shared/counts
 #import shared/tets
+#import shared/bands
 
 // Projects the surviving cells of one chunk, in the order of drawing: class, outline and thick vertex (Shirley & Tuchman
 // 1990) in the form of Radon weights (optics.md 6.2): one formula for all classes and degeneracies, no 2D intersection,
@@ -21,11 +22,13 @@
 @group(1) @binding(1) var<storage, read> gradients: array<f32>;
 @group(3) @binding(0) var<uniform> chunk: Chunk;
 @group(3) @binding(1) var<storage, read> counts: Counts;
-@group(3) @binding(2) var<storage, read> order: array<u32>; // cells, back to front
+@group(3) @binding(2) var<storage, read> order: array<u32>; // cells, or bands of cells, back to front
+@group(3) @binding(4) var<storage, read> cell_bands: array<u32>;
 @group(3) @binding(3) var<storage, read> projected: array<vec2f>;
 // Four corners a cell; per corner: clip xy; 1/z and scalar/z; three tent functions; then, of the first corner alone, at
 // the apex, the thickness (negative where the front is the interpolated side) and the change of scalar/z from the
-// interpolated to the other side; with BIVARIATE gradient/z and its change.
+// interpolated to the other side; with BIVARIATE gradient/z and its change; with BANDS the piece, as 4 x piece + 1 where
+// the band is not clipped below + 2 where it is not above, and the scalar is 0 and 1 at the band's ends.
 //
 // Few and plain stores: on a software adapter they were most of the time of this pass.
 @group(3) @binding(5) var<storage, read_write> corners: array<f32>;
@@ -76,6 +79,7 @@ fn outline(front: vec4<bool>, count: u32) -> vec4u {
 }
 
 const FLOATS: u32 = 9u;
+const BANDS_FLOATS: u32 = 10u;
 const BIVARIATE_FLOATS: u32 = 11u;
 // How much larger outlines are drawn, pixels: twice the rasteriser's grid.
 const HAIR: f32 = 0.0078125;
@@ -133,6 +137,20 @@ fn growth_about(middle: vec2f, a: vec2f, b: vec2f, c: vec2f, d: vec2f) -> f32 {
     return min(HAIR / max(inner, 1e-30), LONGEST_HAIR / max(outer, 1e-30));
 }
 
+// The band of a cell that is drawn as the k-th from behind. `mu`: weights of the vertices, whose mean is the eye. Along
+// every ray from there scalars only rise or only fall, so bands farther from the eye's scalar lie behind.
+fn band_index(k: u32, bands: u32, mu: vec4f, scalars: vec4f) -> u32 {
+    let last = band_count(bands) - 1u;
+    var below_eye = 0u;
+    for (var j = 1u; j <= last; j++) {
+        if dot(mu, scalars - nodes[first_band(bands) + j].x) >= 0.0 {
+            below_eye = j;
+        }
+    }
+    let above_eye = last - below_eye;
+    return select(k - above_eye, last - k, k < above_eye);
+}
+
 @compute @workgroup_size(256)
 fn main(@builtin(global_invocation_id) id: vec3u) {
     let place = id.x;
@@ -140,7 +158,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if place >= chunk.cells || rank >= counts.survivors {
         return;
     }
-    let cell = order[rank];
+    let entry = order[rank];
+    let cell = select(entry, entry >> BAND_BITS, BANDS);
     let tet = tet_at(cell);
     let p0 = vertices[tet.x];
     let p1 = vertices[tet.y];
@@ -173,7 +192,18 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if front_sum > least && back_sum > least {
         apex.thickness = abs(volume) * scales.x;
     }
-    let scalars = vec4f(p0.w, p1.w, p2.w, p3.w);
+    var scalars = vec4f(p0.w, p1.w, p2.w, p3.w);
+    var piece = 0u;
+    var open = 0u;
+    if BANDS {
+        let bands = cell_bands[cell];
+        let index = band_index(entry & ((1u << BAND_BITS) - 1u), bands, mu, scalars);
+        piece = first_band(bands) + index;
+        open = select(0u, 1u, index == 0u && band_reaches_low(bands))
+            + select(0u, 2u, index + 1u == band_count(bands) && band_reaches_high(bands));
+        let begin = nodes[piece].x;
+        scalars = (scalars - begin) / (nodes[piece + 1u].x - begin);
+    }
     var g = vec4f(0.0);
     apex.scalar_change = dot(back_weights, scalars) * scales.y - dot(front_weights, scalars) * scales.x;
     if BIVARIATE {
@@ -222,7 +252,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
                         third * (a.tent + b.tent + c.tent));
         growth = growth_about(middle.clip, a.clip, b.clip, c.clip, c.clip);
     }
-    let size = select(FLOATS, BIVARIATE_FLOATS, BIVARIATE);
+    let size = select(select(FLOATS, BANDS_FLOATS, BANDS), BIVARIATE_FLOATS, BIVARIATE);
     let at = place * 4u * size;
     put_corner(at, a, middle, growth);
     put_corner(at + size, b, middle, growth);
@@ -232,5 +262,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     corners[at + 8u] = apex.scalar_change;
     if BIVARIATE {
         corners[at + 10u] = apex.gradient_change;
+    }
+    if BANDS {
+        corners[at + 9u] = f32(piece * 4u + open);
     }
 }

@@ -12,6 +12,14 @@ struct Corner {
     @location(3) apex: vec2f,
 }
 
+struct BandCorner {
+    @location(0) clip: vec2f,
+    @location(1) plane: vec2f,
+    @location(2) tent: vec3f,
+    // With the piece, and where the band is not clipped (project.wgsl).
+    @location(3) apex: vec3f,
+}
+
 struct BivariateCorner {
     @location(0) clip: vec2f,
     @location(1) plane: vec2f,
@@ -21,34 +29,71 @@ struct BivariateCorner {
 }
 
 // All positions have w = 1, so perspective interpolation is linear. (Asked for linear interpolation, lavapipe's clipper
-// loses large triangles: the cells around an eye inside the mesh.)
+// loses large triangles: the cells around an eye inside the mesh.) Uniforms are read in the vertex stage: lavapipe loads
+// them lane by lane.
 struct Fragment {
     @builtin(position) position: vec4f,
     // Of the interpolated side: 1/z and scalar/z; two tent functions.
     @location(0) plane_and_tent: vec4f,
-    // The third.
-    @location(1) tent: f32,
+    // The third; x/z and y/z of the ray.
+    @location(1) tent_and_ray: vec3f,
     // At the apex: thickness (negative where the front is interpolated), change of scalar/z to the other side.
     @location(2) @interpolate(flat) apex: vec2f,
+}
+
+struct BandFragment {
+    @builtin(position) position: vec4f,
+    @location(0) plane_and_tent: vec4f,
+    @location(1) tent_and_ray: vec3f,
+    // With the ends at which the band is clipped.
+    @location(2) @interpolate(flat) apex: vec4f,
+    // Colour and extinction at the band's lower end, and their change to the upper.
+    @location(3) @interpolate(flat) low: vec4f,
+    @location(4) @interpolate(flat) rise: vec4f,
 }
 
 struct BivariateFragment {
     @builtin(position) position: vec4f,
     @location(0) plane_and_tent: vec4f,
-    // The third tent function, and gradient/z.
-    @location(1) tent_and_gradient: vec2f,
+    // With gradient/z.
+    @location(1) tent_and_ray_and_gradient: vec4f,
     @location(2) @interpolate(flat) apex: vec3f,
+}
+
+// x/z and y/z of the ray through a point on screen.
+fn ray(clip: vec2f) -> vec2f {
+    if !PERSPECTIVE {
+        return vec2f(0.0);
+    }
+    return clip * vec2f(frame.ray_per_clip_x, frame.ray_per_clip_y);
 }
 
 @vertex
 fn vertex(corner: Corner) -> Fragment {
-    return Fragment(vec4f(corner.clip, 0.5, 1.0), vec4f(corner.plane, corner.tent.xy), corner.tent.z, corner.apex);
+    return Fragment(vec4f(corner.clip, 0.5, 1.0), vec4f(corner.plane, corner.tent.xy),
+                    vec3f(corner.tent.z, ray(corner.clip)), corner.apex);
+}
+
+// How far a band reaches that is not clipped: no rounding goes so far.
+const UNCLIPPED: f32 = 1e6;
+
+@vertex
+fn vertex_band(corner: BandCorner) -> BandFragment {
+    // Of the first corner; the others' are not used, and may be anything.
+    let packed = u32(corner.apex.z);
+    let piece = min(packed >> 2u, PIECES - 1u);
+    let low = node_values[piece];
+    let bounds = vec2f(select(0.0, -UNCLIPPED, (packed & 1u) != 0u), select(1.0, UNCLIPPED, (packed & 2u) != 0u));
+    return BandFragment(vec4f(corner.clip, 0.5, 1.0), vec4f(corner.plane, corner.tent.xy),
+                        vec3f(corner.tent.z, ray(corner.clip)), vec4f(corner.apex.xy, bounds), low,
+                        node_values[piece + 1u] - low);
 }
 
 @vertex
 fn vertex_bivariate(corner: BivariateCorner) -> BivariateFragment {
     return BivariateFragment(vec4f(corner.clip, 0.5, 1.0), vec4f(corner.plane, corner.tent.xy),
-                             vec2f(corner.tent.z, corner.gradient.x), vec3f(corner.apex, corner.gradient.y));
+                             vec4f(corner.tent.z, ray(corner.clip), corner.gradient.x),
+                             vec3f(corner.apex, corner.gradient.y));
 }
 
 // Premultiplied colour, and transmittance in place of alpha.
@@ -59,10 +104,23 @@ fn fragment(in: Fragment) -> @location(0) vec4f {
 
 fn shade(in: Fragment) -> vec4f {
     let plane = in.plane_and_tent;
-    let tent = max(min(min(plane.z, plane.w), in.tent), 0.0);
-    let depths = front_back_length(in.position.xy, plane.x, tent * in.apex.x);
+    let tent = max(min(min(plane.z, plane.w), in.tent_and_ray.x), 0.0);
+    let depths = front_back_length(in.tent_and_ray.yz, plane.x, tent * in.apex.x);
     let scalars = front_back(plane.y, tent * in.apex.y, in.apex.x, depths.xy);
-    return segment(scalars, vec2f(0.0), depths.z);
+    return segment(clamp(scalars, vec2f(0.0), vec2f(1.0)), vec2f(0.0), depths.z);
+}
+
+@fragment
+fn fragment_band(in: BandFragment) -> @location(0) vec4f {
+    return shade_band(in);
+}
+
+fn shade_band(in: BandFragment) -> vec4f {
+    let plane = in.plane_and_tent;
+    let tent = max(min(min(plane.z, plane.w), in.tent_and_ray.x), 0.0);
+    let depths = front_back_length(in.tent_and_ray.yz, plane.x, tent * in.apex.x);
+    let ends = front_back(plane.y, tent * in.apex.y, in.apex.x, depths.xy);
+    return band_segment(ends, in.apex.zw, depths.z, in.low, in.rise);
 }
 
 @fragment
@@ -72,11 +130,12 @@ fn fragment_bivariate(in: BivariateFragment) -> @location(0) vec4f {
 
 fn shade_bivariate(in: BivariateFragment) -> vec4f {
     let plane = in.plane_and_tent;
-    let tent = max(min(min(plane.z, plane.w), in.tent_and_gradient.x), 0.0);
-    let depths = front_back_length(in.position.xy, plane.x, tent * in.apex.x);
+    let more = in.tent_and_ray_and_gradient;
+    let tent = max(min(min(plane.z, plane.w), more.x), 0.0);
+    let depths = front_back_length(more.yz, plane.x, tent * in.apex.x);
     let scalars = front_back(plane.y, tent * in.apex.y, in.apex.x, depths.xy);
-    let gradients = front_back(in.tent_and_gradient.y, tent * in.apex.z, in.apex.x, depths.xy);
-    return segment(scalars, gradients, depths.z);
+    let gradients = front_back(more.w, tent * in.apex.z, in.apex.x, depths.xy);
+    return segment(clamp(scalars, vec2f(0.0), vec2f(1.0)), clamp(gradients, vec2f(0.0), vec2f(1.0)), depths.z);
 }
 
 // The same for slabs blended in f16, counting layers. With opacity: f16 tells small opacities apart, and not
@@ -96,6 +155,11 @@ fn fragment_counted(in: Fragment) -> Counted {
 }
 
 @fragment
+fn fragment_band_counted(in: BandFragment) -> Counted {
+    return counted(shade_band(in));
+}
+
+@fragment
 fn fragment_bivariate_counted(in: BivariateFragment) -> Counted {
     return counted(shade_bivariate(in));
 }
@@ -103,21 +167,18 @@ fn fragment_bivariate_counted(in: BivariateFragment) -> Counted {
 // Values at entry and exit from value/z of the interpolated side and its change to the other.
 fn front_back(plane: f32, change: f32, side: f32, depths: vec2f) -> vec2f {
     let other = plane + change;
-    let over_depth = select(vec2f(plane, other), vec2f(other, plane), side > 0.0);
-    return clamp(over_depth * depths, vec2f(0.0), vec2f(1.0));
+    return select(vec2f(plane, other), vec2f(other, plane), side > 0.0) * depths;
 }
 
 // Depths of entry and exit, and the length of the ray between them, from 1/z of the interpolated side and the thickness
 // 1/z front - 1/z back, negative where that side is the front. Never a difference of depths: the length of a thin cell
 // keeps its digits.
-fn front_back_length(pixel: vec2f, inverse: f32, thickness: f32) -> vec3f {
+fn front_back_length(ray: vec2f, inverse: f32, thickness: f32) -> vec3f {
     if !PERSPECTIVE {
         return vec3f(1.0, 1.0, abs(thickness));
     }
     let inverse_front = inverse + max(thickness, 0.0);
     let inverse_back = inverse + min(thickness, 0.0);
     let both = 1.0 / max(inverse_front * inverse_back, 1e-37);
-    let x = pixel.x * frame.ray_scale_x + frame.ray_offset_x;
-    let y = pixel.y * frame.ray_scale_y + frame.ray_offset_y;
-    return vec3f(inverse_back, inverse_front, abs(thickness) * sqrt(1.0 + x * x + y * y)) * both;
+    return vec3f(inverse_back, inverse_front, abs(thickness) * sqrt(1.0 + dot(ray, ray))) * both;
 }

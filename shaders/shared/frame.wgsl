@@ -14,18 +14,19 @@ struct Frame {
     image_height: f32,
     // View depth: dot(forward, point - reference) + z_offset.
     forward: vec3f,
-    // x/z and y/z of the ray through a pixel position p: p * ray_scale + ray_offset (perspective).
-    ray_scale_x: f32,
-    ray_scale_y: f32,
-    ray_offset_x: f32,
-    ray_offset_y: f32,
-    // Cells that one draw covers.
+    // x/z and y/z of the ray through a point on screen, per clip-space x and y (perspective).
+    ray_per_clip_x: f32,
+    ray_per_clip_y: f32,
+    // Cells that are projected at a time.
     chunk_cells: u32,
+    // At most so many cells, or bands of them, are drawn.
+    most_drawn: u32,
+    pad_a: u32,
     background: vec4f,
     x_offset: f32,
     y_offset: f32,
     z_offset: f32,
-    pad_a: f32,
+    pad_b: f32,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;

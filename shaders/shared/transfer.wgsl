@@ -1,5 +1,6 @@
 #import math/optics
 #import math/widget
+#import shared/bands
 
 // The transfer function (group 2), over scalars and gradient magnitudes normalised to 0..1 and mesh-space lengths,
 // and the integral of one segment under it.
@@ -31,8 +32,6 @@ struct Piece {
 // Uniform buffers: software adapters read them faster than storage. What is read a fragment is kept small.
 @group(2) @binding(0) var<uniform> widgets: array<Widget, 64>;
 @group(2) @binding(1) var<uniform> pieces: array<Piece, 1024>;
-// Where piece i begins (in x); piece i - 1 ends there.
-@group(2) @binding(2) var<uniform> nodes: array<vec4f, 1025>;
 // For each of 256 equal parts of 0..1: the first and the last piece in it.
 @group(2) @binding(3) var<uniform> piece_starts: array<vec4u, 257>;
 

@@ -16,7 +16,15 @@ pub struct CellBuffers {
     pub clipped: wgpu::Buffer,
     /// One bit a cell: drawn in this frame.
     pub survivors: wgpu::Buffer,
-    /// Survivors of each block of 256 cells.
+    /// The bands of each candidate, packed (`shared/bands.wgsl`); 16 bytes until a scene needs it.
+    pub cell_bands: wgpu::Buffer,
+    /// [`layout::BandTotals`].
+    pub band_totals: wgpu::Buffer,
+    /// One bit a candidate: it has several bands.
+    pub banded: wgpu::Buffer,
+    /// Bands before each word of `survivors` in its block.
+    pub word_bands: wgpu::Buffer,
+    /// Survivors of each block of 256 cells, or their bands.
     pub block_counts: wgpu::Buffer,
     /// Survivors before each block.
     pub block_offsets: wgpu::Buffer,
@@ -28,41 +36,49 @@ pub struct CellBuffers {
     pub projected: wgpu::Buffer,
     /// Corners of one chunk's cells.
     pub corners: wgpu::Buffer,
-    /// Sort keys of the survivors.
+    /// Sort keys of the survivors, or of their bands.
     pub keys: wgpu::Buffer,
-    /// The survivors, sorted back to front.
+    /// The survivors or their bands, sorted back to front.
     pub order: wgpu::Buffer,
 }
 
 impl CellBuffers {
-    /// For so many vertices and tetrahedra, drawn in chunks.
-    pub fn new(gpu: &Gpu, vertices: u64, tets: u64, chunk_cells: u32) -> Self {
+    /// For so many vertices and tetrahedra, of which so many cells or bands are drawn in chunks.
+    pub fn new(gpu: &Gpu, vertices: u64, tets: u64, most_drawn: u64, chunk_cells: u32) -> Self {
         let blocks = tets.div_ceil(256);
-        let chunks = tets.div_ceil(u64::from(chunk_cells));
+        let chunks = most_drawn.div_ceil(u64::from(chunk_cells));
         let copied = STORAGE | wgpu::BufferUsages::COPY_SRC;
         let indirect = STORAGE | wgpu::BufferUsages::INDIRECT;
         let written = STORAGE | wgpu::BufferUsages::COPY_DST;
         Self {
             candidates: gpu.buffer("candidates", blocks * 32, copied),
             clipped: gpu.buffer("clipped", blocks * 32, written),
-            survivors: gpu.buffer("survivors", blocks * 32, STORAGE),
+            survivors: gpu.buffer("survivors", blocks * 32, copied),
+            cell_bands: gpu.buffer("cell_bands", 16, STORAGE),
+            band_totals: gpu.buffer("band_totals", 16, copied | wgpu::BufferUsages::COPY_DST),
+            banded: gpu.buffer("banded", blocks * 32, STORAGE),
+            word_bands: gpu.buffer("word_bands", blocks * 32, STORAGE),
             block_counts: gpu.buffer("block_counts", blocks * 4, STORAGE),
             block_offsets: gpu.buffer("block_offsets", blocks * 4, STORAGE),
             counts: gpu.buffer("counts", size_of::<layout::Counts>() as u64, indirect | wgpu::BufferUsages::COPY_SRC),
             draws: gpu.buffer("draws", chunks * 20, indirect),
             projected: gpu.buffer("projected", vertices * 8, STORAGE),
             corners: gpu.buffer("corners", u64::from(chunk_cells) * CORNER_BYTES, STORAGE | wgpu::BufferUsages::VERTEX),
-            keys: gpu.buffer("keys", tets * 4, copied),
-            order: gpu.buffer("order", tets * 4, copied | wgpu::BufferUsages::COPY_DST),
+            keys: gpu.buffer("keys", most_drawn * 4, copied),
+            order: gpu.buffer("order", most_drawn * 4, copied | wgpu::BufferUsages::COPY_DST),
         }
     }
 
     /// Labels and buffers, for the report.
-    pub fn list(&self) -> [(&'static str, &wgpu::Buffer); 11] {
+    pub fn list(&self) -> [(&'static str, &wgpu::Buffer); 15] {
         [
             ("candidates", &self.candidates),
             ("clipped", &self.clipped),
             ("survivors", &self.survivors),
+            ("cell_bands", &self.cell_bands),
+            ("band_totals", &self.band_totals),
+            ("banded", &self.banded),
+            ("word_bands", &self.word_bands),
             ("block_counts", &self.block_counts),
             ("block_offsets", &self.block_offsets),
             ("counts", &self.counts),

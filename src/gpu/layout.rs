@@ -16,16 +16,16 @@ pub struct Frame {
     pub y_row: [f32; 3],
     pub image_height: f32,
     pub forward: [f32; 3],
-    pub ray_scale_x: f32,
-    pub ray_scale_y: f32,
-    pub ray_offset_x: f32,
-    pub ray_offset_y: f32,
+    pub ray_per_clip_x: f32,
+    pub ray_per_clip_y: f32,
     pub chunk_cells: u32,
+    pub most_drawn: u32,
+    pub pad_a: u32,
     pub background: [f32; 4],
     pub x_offset: f32,
     pub y_offset: f32,
     pub z_offset: f32,
-    pub pad_a: f32,
+    pub pad_b: f32,
 }
 
 /// `shared/range.wgsl`.
@@ -78,6 +78,15 @@ pub struct Widget {
 pub struct Piece {
     pub origin: [f32; 4],
     pub slope: [f32; 4],
+}
+
+/// `candidates.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "the fields are documented in the shader")]
+pub struct BandTotals {
+    pub bands: u32,
+    pub most: u32,
 }
 
 /// `project.wgsl`.

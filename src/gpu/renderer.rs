@@ -6,13 +6,14 @@ use std::time::{Duration, Instant};
 use glam::{DVec3, Vec3};
 
 use crate::error::{Error, Result};
-use crate::gpu::device::{Gpu, Resources};
+use crate::gpu::device::{Gpu, Kernel, Resources};
 use crate::gpu::layout;
+use crate::gpu::mesh::TetRange;
 use crate::gpu::record::{Recorder, Work};
-use crate::gpu::scene::SceneKernels;
+use crate::gpu::scene::{self, SceneKernels};
 use crate::gpu::slabs::{MOST_LAYERS, Slabs};
 use crate::gpu::sort;
-use crate::gpu::store::{Pieces, Store};
+use crate::gpu::store::{BAND_BITS, Pieces, Store};
 use crate::gpu::target::Target;
 use crate::gpu::transfer::TransferBuffers;
 use crate::plan::near::{self, NearCut};
@@ -23,6 +24,10 @@ use crate::tet::TetMesh;
 /// Nothing in front of what lies behind.
 const EMPTY: wgpu::LoadOp<wgpu::Color> = wgpu::LoadOp::Clear(wgpu::Color { r: 0.0, g: 0.0, b: 0.0, a: 1.0 });
 const ZERO: wgpu::LoadOp<wgpu::Color> = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
+
+/// Cells of one draw on a software adapter: lavapipe bins a draw's triangles, at 300 bytes each, before it shades them,
+/// and these fit the caches. 16,384 took 1.25 times as long a frame (584,000 cells), 1,024 as long for its passes.
+const SOFTWARE_DRAW: u32 = 4096;
 
 /// Renders one mesh by projection (Shirley & Tuchman 1990) in compute and raster passes.
 pub struct GpuRenderer {
@@ -72,7 +77,13 @@ impl GpuRenderer {
     pub fn order(&self) -> Result<Vec<u32>> {
         let cells = &self.store.cells;
         let survivors = u64::from(sort::survivors(&self.gpu, &cells.counts)?);
-        self.gpu.read(&cells.order, survivors * 4)
+        let mut order: Vec<u32> = self.gpu.read(&cells.order, survivors * 4)?;
+        if self.scene.as_ref().is_some_and(|s| s.bands.is_some()) {
+            // A cell is where its first band is.
+            order.retain(|band| band % (1 << BAND_BITS) == 0);
+            order.iter_mut().for_each(|band| *band >>= BAND_BITS);
+        }
+        Ok(order)
     }
 
     /// Makes kernels and marks candidates where the transfer function or the kind of projection changed.
@@ -80,27 +91,48 @@ impl GpuRenderer {
         if self.scene.as_ref().is_some_and(|s| s.transfer.source == *transfer && s.perspective == perspective) {
             return Ok(());
         }
+        self.make_scene(transfer, perspective, true)
+    }
+
+    /// `in_bands`: draw cells band by band where that is possible.
+    fn make_scene(&mut self, transfer: &TransferFunction, perspective: bool, in_bands: bool) -> Result<()> {
         let m = &self.store.mesh;
         let transfer = TransferBuffers::new(&self.gpu, transfer, m.scalar, m.gradient, self.mesh.data_per_mesh)?;
         if transfer.bivariate {
             self.store.need_gradients(&self.gpu, &self.mesh);
         }
+        let curve = matches!(transfer.source, TransferFunction::Curve(_));
+        if curve {
+            self.store.need_bands(&self.gpu);
+        }
         let mut extra = self.store.constants().to_vec();
         extra.push(("CULL", f64::from(u8::from(self.settings.cull))));
-        self.scene = Some(SceneKernels::new(&self.gpu, transfer, perspective, self.f16, &extra)?);
-        self.mark_candidates(None)
+        let candidates = scene::candidates(&self.gpu, &transfer, &extra)?;
+        self.mark_candidates(&candidates, &transfer, None)?;
+        let mut bands = None;
+        if curve && in_bands {
+            let totals = self.band_totals()?;
+            bands = self.store.holds_bands(totals.bands.into(), totals.most).then_some(totals.bands);
+        }
+        self.scene = Some(SceneKernels::new(&self.gpu, transfer, perspective, self.f16, candidates, bands, &extra)?);
+        Ok(())
+    }
+
+    /// Bands found by the last marking.
+    fn band_totals(&self) -> Result<layout::BandTotals> {
+        let totals = self.gpu.read(&self.store.cells.band_totals, size_of::<layout::BandTotals>() as u64)?;
+        Ok(totals.first().copied().unwrap_or_default())
     }
 
     /// Marks the cells that the transfer function can make visible: of the mesh, or of the near plane's pieces.
-    fn mark_candidates(&self, pieces: Option<Pieces>) -> Result<()> {
-        let scene = self.scene.as_ref().ok_or_else(unprepared)?;
-        let all = self.resources(scene);
+    fn mark_candidates(&self, kernel: &Kernel, transfer: &TransferBuffers, pieces: Option<Pieces>) -> Result<()> {
+        let all = self.resources(transfer);
         let mut recorder = Recorder::new(&self.gpu, false);
+        recorder.encoder().clear_buffer(&self.store.cells.band_totals, 0, None);
         let ranges = self.store.range_resources(&all, pieces);
         let skipped = if pieces.is_some() { self.store.ranges.len() } else { 0 };
         for (range, part) in &ranges[skipped..] {
-            let groups = scene.candidates.bind(&self.gpu, part)?;
-            recorder.compute(&scene.candidates, &groups, Work::Items(range.count))?;
+            recorder.compute(kernel, &kernel.bind(&self.gpu, part)?, Work::Items(range.count))?;
         }
         recorder.submit();
         Ok(())
@@ -118,14 +150,24 @@ impl GpuRenderer {
             let scene = self.scene.take().ok_or_else(unprepared)?;
             self.prepare_scene(&scene.transfer.source, scene.perspective)?;
         }
-        let pieces = self.store.put_pieces(&self.gpu, &self.mesh, cut, bivariate);
-        self.mark_candidates(Some(pieces))?;
+        let mut pieces = self.store.put_pieces(&self.gpu, &self.mesh, cut, bivariate);
+        let scene = self.scene.as_ref().ok_or_else(unprepared)?;
+        self.mark_candidates(&scene.candidates, &scene.transfer, Some(pieces))?;
+        if let Some(bands) = scene.bands {
+            let added = self.band_totals()?;
+            pieces.bands = added.bands;
+            if !self.store.holds_bands(u64::from(bands) + u64::from(added.bands), added.most) {
+                let scene = self.scene.take().ok_or_else(unprepared)?;
+                self.make_scene(&scene.transfer.source, scene.perspective, false)?;
+                let scene = self.scene.as_ref().ok_or_else(unprepared)?;
+                self.mark_candidates(&scene.candidates, &scene.transfer, Some(pieces))?;
+            }
+        }
         self.scene.as_mut().ok_or_else(unprepared)?.need_near_cut(&self.gpu)?;
         Ok(pieces)
     }
 
-    fn resources<'a>(&'a self, scene: &'a SceneKernels) -> Resources<'a> {
-        let t = &scene.transfer;
+    fn resources<'a>(&'a self, t: &'a TransferBuffers) -> Resources<'a> {
         self.store
             .resources()
             .with("frame", &self.frame)
@@ -133,6 +175,7 @@ impl GpuRenderer {
             .with("pieces", &t.pieces)
             .with("nodes", &t.nodes)
             .with("piece_starts", &t.piece_starts)
+            .with("node_values", &t.node_values)
     }
 
     /// Draws a frame; the picture is left in the target.
@@ -147,7 +190,7 @@ impl GpuRenderer {
         let uniform = self.frame_uniform(frame, pieces);
         self.gpu.queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&uniform));
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
-        let all = self.resources(scene);
+        let all = self.resources(&scene.transfer);
         let mut recorder = Recorder::new(&self.gpu, timed);
         let survivors = self.sort_cells(&mut recorder, &all, pieces, uniform.vertex_count)?;
         let mut notes = Vec::new();
@@ -162,7 +205,7 @@ impl GpuRenderer {
             notes.push(format!("blended in f16, in {count} slabs of at most {MOST_LAYERS} layers"));
             passes
         } else {
-            self.raster(&mut recorder, &all, survivors.unwrap_or(uniform.tet_count))?;
+            self.raster(&mut recorder, &all, survivors, survivors.unwrap_or(uniform.most_drawn))?;
             recorder.finish()?
         };
         let stats = Stats { passes, notes, adapter: self.gpu.describe(), ..Default::default() };
@@ -193,8 +236,9 @@ impl GpuRenderer {
         self.store.sorter.sort(gpu, recorder, &cells.counts, &cells.keys, &cells.order)
     }
 
-    /// Projects and blends the sorted cells (`most` at most) in f32, chunk by chunk, and finishes the picture.
-    fn raster(&self, recorder: &mut Recorder<'_>, all: &Resources<'_>, most: u32) -> Result<()> {
+    /// Projects and blends the sorted cells or bands (`most` at most; `known` where the host knows how many) in f32, chunk
+    /// by chunk, and finishes the picture.
+    fn raster(&self, recorder: &mut Recorder<'_>, all: &Resources<'_>, known: Option<u32>, most: u32) -> Result<()> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let target = self.target.as_ref().ok_or_else(unprepared)?;
         let (gpu, store) = (&self.gpu, &self.store);
@@ -202,12 +246,29 @@ impl GpuRenderer {
         let mut load = EMPTY;
         for chunk in 0..most.max(1).div_ceil(store.chunk_cells) {
             self.project_chunk(recorder, all, chunk)?;
-            recorder.draw(&scene.raster, &raster_groups, &[(&target.blended, load)], |pass| {
-                pass.set_index_buffer(store.indices.slice(..), wgpu::IndexFormat::Uint32);
-                pass.set_vertex_buffer(0, store.cells.corners.slice(..));
-                pass.draw_indexed_indirect(&store.cells.draws, u64::from(chunk) * 20);
-            })?;
-            load = wgpu::LoadOp::Load;
+            let mut draw = |range: Option<std::ops::Range<u32>>| {
+                recorder.draw(&scene.raster, &raster_groups, &[(&target.blended, load)], |pass| {
+                    pass.set_index_buffer(store.indices.slice(..), wgpu::IndexFormat::Uint32);
+                    pass.set_vertex_buffer(0, store.cells.corners.slice(..));
+                    match range {
+                        Some(cells) => pass.draw_indexed(cells.start * 6..cells.end * 6, 0, 0..1),
+                        None => pass.draw_indexed_indirect(&store.cells.draws, u64::from(chunk) * 20),
+                    }
+                })?;
+                load = wgpu::LoadOp::Load;
+                Ok(())
+            };
+            match known {
+                None => draw(None)?,
+                Some(survivors) => {
+                    let cells = store.chunk_cells.min(survivors - chunk * store.chunk_cells);
+                    let most = if gpu.is_software() { SOFTWARE_DRAW } else { cells.max(1) };
+                    // Once at least: the first draw clears.
+                    for first in (0..cells.max(1)).step_by(most as usize) {
+                        draw(Some(first..cells.min(first + most)))?;
+                    }
+                }
+            }
         }
         self.finish_picture(recorder, &target.blended)
     }
@@ -222,7 +283,8 @@ impl GpuRenderer {
     fn finish_picture(&self, recorder: &mut Recorder<'_>, composed: &wgpu::TextureView) -> Result<()> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let target = self.target.as_ref().ok_or_else(unprepared)?;
-        let textures = self.resources(scene).with_texture("blended", composed).with_texture("behind", composed);
+        let textures =
+            self.resources(&scene.transfer).with_texture("blended", composed).with_texture("behind", composed);
         let groups = scene.resolve.bind(&self.gpu, &textures)?;
         recorder.draw(&scene.resolve, &groups, &[(&target.picture, ZERO)], |pass| pass.draw(0..3, 0..1))
     }
@@ -258,7 +320,7 @@ impl GpuRenderer {
         let target = self.target.as_ref().ok_or_else(unprepared)?;
         let (gpu, store) = (&self.gpu, &self.store);
         let (Some(kernels), Some(slab_target)) = (&scene.slabs, &target.slabs) else { return Err(unprepared()) };
-        let all = self.resources(scene);
+        let all = self.resources(&scene.transfer);
         let raster_groups = scene.raster.bind(gpu, &all)?;
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
         let most_layers = gpu.buffer("most_layers", 4, usage);
@@ -328,9 +390,10 @@ impl GpuRenderer {
         let offset = |row: DVec3| (-row.dot(eye_from_reference)) as f32;
         let f32s = |v: DVec3| v.as_vec3().to_array();
         let m = &self.store.mesh;
+        let tet_count = pieces.filter(|p| p.range.count > 0).map_or(m.tet_count, |p| p.range.first + p.range.count);
         layout::Frame {
             reference: reference.to_array(),
-            tet_count: pieces.filter(|p| p.range.count > 0).map_or(m.tet_count, |p| p.range.first + p.range.count),
+            tet_count,
             eye_from_reference: f32s(eye_from_reference),
             vertex_count: m.vertex_count + pieces.map_or(0, |p| p.vertices),
             x_row: f32s(x_row),
@@ -338,16 +401,19 @@ impl GpuRenderer {
             y_row: f32s(y_row),
             image_height: height as f32,
             forward: f32s(basis.forward),
-            ray_scale_x: (2.0 * half / height) as f32,
-            ray_scale_y: (-2.0 * half / height) as f32,
-            ray_offset_x: (-half * aspect) as f32,
-            ray_offset_y: half as f32,
+            ray_per_clip_x: (half * aspect) as f32,
+            ray_per_clip_y: half as f32,
             chunk_cells: self.store.chunk_cells,
+            most_drawn: match self.scene.as_ref().and_then(|s| s.bands) {
+                Some(bands) => bands + pieces.map_or(0, |p| p.bands),
+                None => tet_count,
+            },
+            pad_a: 0,
             background: frame.background,
             x_offset: offset(x_row),
             y_offset: offset(y_row),
             z_offset: offset(basis.forward),
-            pad_a: 0.0,
+            pad_b: 0.0,
         }
     }
 
@@ -358,11 +424,24 @@ impl GpuRenderer {
         let bits: Vec<u32> = gpu.read(&store.cells.candidates, tets.div_ceil(256) * 32)?;
         let candidates = bits.iter().map(|word| u64::from(word.count_ones())).sum();
         let drawn = u64::from(sort::survivors(gpu, &store.cells.counts)?);
+        let in_bands = self.scene.as_ref().is_some_and(|s| s.bands.is_some());
         let mut counts = vec![("in the mesh".to_owned(), tets), ("that the function can show".to_owned(), candidates)];
         if let Some(p) = pieces {
             counts.push(("pieces at the near plane".to_owned(), u64::from(p.range.count)));
         }
-        counts.push(("drawn".to_owned(), drawn));
+        if in_bands {
+            let bits: Vec<u32> = gpu.read(&store.cells.survivors, store.cells.survivors.size())?;
+            let words = |range: TetRange| {
+                let first = range.first as usize / 32;
+                first..first + range.count.div_ceil(256) as usize * 8
+            };
+            let ranges = store.ranges.iter().copied().chain(pieces.map(|p| p.range));
+            let drawn_cells = ranges.flat_map(|r| &bits[words(r)]).map(|word| u64::from(word.count_ones())).sum();
+            counts.push(("drawn".to_owned(), drawn_cells));
+            counts.push(("bands of them".to_owned(), drawn));
+        } else {
+            counts.push(("drawn".to_owned(), drawn));
+        }
         Ok(counts)
     }
 }

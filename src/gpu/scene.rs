@@ -10,8 +10,10 @@ pub struct SceneKernels {
     pub transfer: TransferBuffers,
     /// The kind of projection.
     pub perspective: bool,
-    /// Marks cells that the function can make visible.
+    /// Marks cells that the function can make visible, and finds their bands.
     pub candidates: Kernel,
+    /// Bands to draw at most, where cells are drawn band by band.
+    pub bands: Option<u32>,
     /// Projects vertices.
     pub vertices: Kernel,
     /// Drops cells outside the picture.
@@ -61,8 +63,16 @@ const ADD: wgpu::BlendComponent = wgpu::BlendComponent {
     operation: wgpu::BlendOperation::Add,
 };
 
+/// The kernel that marks the cells that a function can make visible, and finds their bands.
+///
+/// # Errors
+/// A shader that does not compile.
+pub fn candidates(gpu: &Gpu, transfer: &TransferBuffers, extra: &[(&'static str, f64)]) -> Result<Kernel> {
+    gpu.kernel("candidates", &[&transfer.constants[..], extra].concat())
+}
+
 impl SceneKernels {
-    /// Compiles. `f16`: blend into rgba16float and count layers; `extra`: constants of the renderer.
+    /// Compiles. `f16`: blend into rgba16float and count layers; `candidates`: see [`candidates`]; `bands`: so many are drawn, instead of cells; `extra`: constants of the renderer.
     ///
     /// # Errors
     /// A shader that does not compile.
@@ -71,12 +81,15 @@ impl SceneKernels {
         transfer: TransferBuffers,
         perspective: bool,
         f16: bool,
+        candidates: Kernel,
+        bands: Option<u32>,
         extra: &[(&'static str, f64)],
     ) -> Result<Self> {
         let flag = |b: bool| f64::from(u8::from(b));
         let mut constants = transfer.constants.clone();
         constants.extend_from_slice(extra);
         constants.push(("PERSPECTIVE", flag(perspective)));
+        constants.push(("BANDS", flag(bands.is_some())));
         let slab_constants = [&constants[..], &[("SLAB", 1.0)]].concat();
         let target = |format, blend| Some(wgpu::ColorTargetState { format, blend, write_mask: wgpu::ColorWrites::ALL });
         let f32_target = |blend| target(wgpu::TextureFormat::Rgba32Float, blend);
@@ -92,21 +105,27 @@ impl SceneKernels {
         let attributes = wgpu::vertex_attr_array![
             0 => Float32x2, 1 => Float32x2, 2 => Float32x3, 3 => Float32x2, 4 => Float32x2
         ];
-        let (entries, used) = match (transfer.bivariate, f16) {
-            (false, false) => (["vertex", "fragment"], 4),
-            (false, true) => (["vertex", "fragment_counted"], 4),
-            (true, false) => (["vertex_bivariate", "fragment_bivariate"], 5),
-            (true, true) => (["vertex_bivariate", "fragment_bivariate_counted"], 5),
+        let band_attributes = wgpu::vertex_attr_array![0 => Float32x2, 1 => Float32x2, 2 => Float32x3, 3 => Float32x3];
+        let attributes: &[wgpu::VertexAttribute] = match (transfer.bivariate, bands.is_some()) {
+            (false, false) => &attributes[..4],
+            (false, true) => &band_attributes,
+            (true, _) => &attributes,
         };
-        let corners = wgpu::VertexBufferLayout {
-            array_stride: attributes[used - 1].offset + attributes[used - 1].format.size(),
-            step_mode: wgpu::VertexStepMode::Vertex,
-            attributes: &attributes[..used],
+        let entries = match (transfer.bivariate, bands.is_some(), f16) {
+            (false, false, false) => ["vertex", "fragment"],
+            (false, false, true) => ["vertex", "fragment_counted"],
+            (false, true, false) => ["vertex_band", "fragment_band"],
+            (false, true, true) => ["vertex_band", "fragment_band_counted"],
+            (true, _, false) => ["vertex_bivariate", "fragment_bivariate"],
+            (true, _, true) => ["vertex_bivariate", "fragment_bivariate_counted"],
         };
+        let array_stride = attributes.iter().map(|a| a.format.size()).sum();
+        let corners = wgpu::VertexBufferLayout { array_stride, step_mode: wgpu::VertexStepMode::Vertex, attributes };
         let full = ["vertex", "fragment"];
         Ok(Self {
             perspective,
-            candidates: gpu.kernel("candidates", &constants)?,
+            bands,
+            candidates,
             vertices: gpu.kernel("vertices", &constants)?,
             cull: gpu.kernel("cull", &constants)?,
             cull_near: None,

@@ -23,6 +23,7 @@ const SOURCES: &[(&str, &str)] = sources![
     "project",
     "raster",
     "resolve",
+    "shared/bands",
     "shared/counts",
     "shared/frame",
     "shared/range",

@@ -12,6 +12,9 @@ use crate::tet::TetMesh;
 /// Parts in which the tetrahedra can be bound (`shared/tets.wgsl`).
 const PARTS: [&str; 4] = ["tets_a", "tets_b", "tets_c", "tets_d"];
 
+/// Bits of a band's rank within its cell (`shared/bands.wgsl`).
+pub const BAND_BITS: u32 = 6;
+
 /// Buffers of a mesh and of its cells, with room for the pieces of cells that the near plane cuts.
 pub struct Store {
     /// The mesh.
@@ -22,8 +25,10 @@ pub struct Store {
     pub sorter: Sorter,
     /// Ranges of the mesh's tetrahedra that one dispatch takes.
     pub ranges: Vec<TetRange>,
-    /// Cells projected and drawn at a time.
+    /// Cells projected at a time.
     pub chunk_cells: u32,
+    /// At most so many cells, or bands of them, are drawn.
+    pub most_drawn: u32,
     /// A `Chunk` each.
     pub chunks: Vec<wgpu::Buffer>,
     /// Two triangles a cell of a chunk.
@@ -44,6 +49,8 @@ pub struct Pieces {
     pub range: TetRange,
     /// Behind the mesh's vertices.
     pub vertices: u32,
+    /// Their bands, where cells are drawn band by band.
+    pub bands: u32,
 }
 
 impl Store {
@@ -56,11 +63,14 @@ impl Store {
         let capacity = if spare_tets == 0 { u64::from(tets) } else { u64::from(pieces_start(tets)) + spare_tets };
         check_size(gpu, mesh.vertices.len() as u64 + spare_vertices, capacity)?;
         let chunk_cells = chunk_cells(tets);
+        // Room for the bands of functions that cut few cells.
+        let most_drawn = (capacity * 3 / 2).min(gpu.max_binding / 4).max(1);
         let buffers = MeshBuffers::new(gpu, mesh, spare_vertices, capacity);
-        let cells = CellBuffers::new(gpu, u64::from(buffers.vertex_count) + spare_vertices, capacity, chunk_cells);
+        let cells =
+            CellBuffers::new(gpu, u64::from(buffers.vertex_count) + spare_vertices, capacity, most_drawn, chunk_cells);
         let ranges = ranges(tets, gpu.max_binding);
         let range_uniforms = ranges.iter().map(|r| gpu.uniform("range", &[r.uniform()])).collect();
-        let chunks = (0..capacity)
+        let chunks = (0..most_drawn)
             .step_by(chunk_cells as usize)
             .map(|first| {
                 let first_cell = first as u32;
@@ -74,9 +84,10 @@ impl Store {
         Ok(Self {
             mesh: buffers,
             cells,
-            sorter: Sorter::new(gpu, capacity as u32, sort_on_host)?,
+            sorter: Sorter::new(gpu, most_drawn as u32, sort_on_host)?,
             ranges,
             chunk_cells,
+            most_drawn: most_drawn as u32,
             chunks,
             indices: index_buffer,
             range_uniforms,
@@ -104,6 +115,18 @@ impl Store {
         self.mesh.need_gradients(gpu, mesh, self.spare_vertices);
     }
 
+    /// Makes room for the bands of cells, if no scene needed them before.
+    pub fn need_bands(&mut self, gpu: &Gpu) {
+        if self.cells.cell_bands.size() < self.capacity * 4 {
+            self.cells.cell_bands = gpu.buffer("cell_bands", self.capacity * 4, wgpu::BufferUsages::STORAGE);
+        }
+    }
+
+    /// True where this many bands, at most `most` of them in one cell, can be drawn.
+    pub fn holds_bands(&self, bands: u64, most: u32) -> bool {
+        bands <= u64::from(self.most_drawn) && most <= 1 << BAND_BITS && self.capacity <= 1 << (32 - BAND_BITS)
+    }
+
     /// Puts the near plane's pieces behind the mesh. They must fit.
     pub fn put_pieces(&self, gpu: &Gpu, mesh: &TetMesh, cut: &NearCut, bivariate: bool) -> Pieces {
         let start = pieces_start(self.mesh.tet_count);
@@ -111,7 +134,7 @@ impl Store {
         self.mesh.put_pieces(gpu, mesh, cut, start, bivariate);
         gpu.write(&self.cells.clipped, 0, bytemuck::cast_slice(&cut.clipped));
         gpu.write(&self.pieces_uniform, 0, bytemuck::bytes_of(&range.uniform()));
-        Pieces { range, vertices: cut.vertices.len() as u32 }
+        Pieces { range, vertices: cut.vertices.len() as u32, bands: 0 }
     }
 
     /// Whole buffers, by the names that shaders give them.
@@ -149,11 +172,18 @@ impl Store {
         let (first, count) = (u64::from(range.first), u64::from(range.count));
         let blocks = count.div_ceil(256);
         let (b, c) = (&self.mesh, &self.cells);
+        let all = if c.cell_bands.size() < self.capacity * 4 {
+            all
+        } else {
+            all.with_part("cell_bands", &c.cell_bands, first * 4, count * 4)
+        };
         all.with("range", uniform)
             .with_part("tets", &b.tets, first * 16, count * 16)
             .with_part("volumes", &b.volumes, first * 4, count * 4)
             .with_part("candidates", &c.candidates, first / 8, blocks * 32)
             .with_part("survivors", &c.survivors, first / 8, blocks * 32)
+            .with_part("banded", &c.banded, first / 8, blocks * 32)
+            .with_part("word_bands", &c.word_bands, first / 8, blocks * 32)
             .with_part("block_counts", &c.block_counts, first / 64, blocks * 4)
             .with_part("block_offsets", &c.block_offsets, first / 64, blocks * 4)
     }

@@ -27,6 +27,8 @@ pub struct TransferBuffers {
     pub pieces: wgpu::Buffer,
     /// Where pieces begin, `array<vec4f>`.
     pub nodes: wgpu::Buffer,
+    /// Colour and extinction there, `array<vec4f>`.
+    pub node_values: wgpu::Buffer,
     /// `array<vec4u>`.
     pub piece_starts: wgpu::Buffer,
     /// `override` constants.
@@ -47,12 +49,13 @@ impl TransferBuffers {
         gradient: Normalisation,
         data_per_mesh: f64,
     ) -> Result<Self> {
-        let (mut widgets, (mut pieces, nodes)): (Vec<GpuWidget>, (Vec<Piece>, Vec<f64>)) = match transfer {
+        let (mut widgets, nodes): (Vec<GpuWidget>, Vec<(f64, [f64; 4])>) = match transfer {
             TransferFunction::Widgets(list) => {
-                (list.iter().map(|w| widget(w, scalar, gradient, data_per_mesh)).collect(), Default::default())
+                (list.iter().map(|w| widget(w, scalar, gradient, data_per_mesh)).collect(), Vec::new())
             }
-            TransferFunction::Curve(curve) => (Vec::new(), curve_pieces(curve, scalar, data_per_mesh)),
+            TransferFunction::Curve(curve) => (Vec::new(), curve_nodes(curve, scalar, data_per_mesh)),
         };
+        let mut pieces: Vec<Piece> = nodes.windows(2).map(|pair| piece(pair[0], pair[1])).collect();
         check(&widgets, &pieces)?;
         if widgets.len() > MOST_WIDGETS || pieces.len() > MOST_PIECES {
             return Err(Error::Asked(format!(
@@ -62,9 +65,11 @@ impl TransferBuffers {
                 pieces.len()
             )));
         }
-        let starts = piece_starts(&nodes);
-        let mut nodes: Vec<[f32; 4]> = nodes.iter().map(|&n| [n as f32, 0.0, 0.0, 0.0]).collect();
-        nodes.resize(MOST_PIECES + 1, [0.0; 4]);
+        let places: Vec<f64> = nodes.iter().map(|n| n.0).collect();
+        let padded = |mut values: Vec<[f32; 4]>| {
+            values.resize(MOST_PIECES + 1, [0.0; 4]);
+            values
+        };
         let bivariate = widgets.iter().any(|w| {
             w.shape == 1 && (w.whiten[1] != 0.0 || w.whiten[3] != 0.0) || [w.gradient_low, w.gradient_high] != UNBOUNDED
         });
@@ -90,8 +95,9 @@ impl TransferBuffers {
                 pieces.resize(MOST_PIECES, Piece::default());
                 gpu.uniform("pieces", &pieces)
             },
-            nodes: gpu.uniform("nodes", &nodes),
-            piece_starts: gpu.uniform("piece_starts", &starts),
+            nodes: gpu.uniform("nodes", &padded(places.iter().map(|&n| [n as f32, 0.0, 0.0, 0.0]).collect())),
+            node_values: gpu.uniform("node_values", &padded(nodes.iter().map(|n| n.1.map(|v| v as f32)).collect())),
+            piece_starts: gpu.uniform("piece_starts", &piece_starts(&places)),
             constants,
             bivariate,
         })
@@ -135,28 +141,24 @@ fn widget(w: &Widget, scalar: Normalisation, gradient: Normalisation, data_per_m
     }
 }
 
-/// The curve's pieces, and where each begins (and the last ends).
-fn curve_pieces(curve: &Curve, scalar: Normalisation, data_per_mesh: f64) -> (Vec<Piece>, Vec<f64>) {
+/// The curve's nodes, normalised, with their colours and extinctions; and one more at either end, so that the first and
+/// last piece are constant and reach beyond 0..1.
+fn curve_nodes(curve: &Curve, scalar: Normalisation, data_per_mesh: f64) -> Vec<(f64, [f64; 4])> {
     let node = |n: &CurveNode| {
         let [r, g, b] = n.color;
         (scalar.apply(n.scalar), [r, g, b, n.extinction * data_per_mesh])
     };
-    let ends: Vec<(f64, [f64; 4])> = curve.nodes.iter().map(node).collect();
-    let (Some(&(first, before)), Some(&(last, after))) = (ends.first(), ends.last()) else {
-        return (Vec::new(), Vec::new());
-    };
-    let constant = |value: [f64; 4]| Piece { origin: value.map(|v| v as f32), slope: [0.0; 4] };
-    let mut pieces = vec![constant(before)];
-    pieces.extend(ends.windows(2).map(|pair| {
-        let ((from, low), (to, high)) = (pair[0], pair[1]);
-        let slope: [f64; 4] = std::array::from_fn(|i| (high[i] - low[i]) / (to - from));
-        Piece { origin: std::array::from_fn(|i| (low[i] - slope[i] * from) as f32), slope: slope.map(|v| v as f32) }
-    }));
-    pieces.push(constant(after));
-    let mut starts = vec![first.min(0.0) - 1.0];
-    starts.extend(ends.iter().map(|e| e.0));
-    starts.push(last.max(1.0) + 1.0);
-    (pieces, starts)
+    let mut nodes: Vec<(f64, [f64; 4])> = curve.nodes.iter().map(node).collect();
+    if let (Some(&first), Some(&last)) = (nodes.first(), nodes.last()) {
+        nodes.insert(0, (first.0.min(0.0) - 1.0, first.1));
+        nodes.push((last.0.max(1.0) + 1.0, last.1));
+    }
+    nodes
+}
+
+fn piece((from, low): (f64, [f64; 4]), (to, high): (f64, [f64; 4])) -> Piece {
+    let slope: [f64; 4] = std::array::from_fn(|i| (high[i] - low[i]) / (to - from));
+    Piece { origin: std::array::from_fn(|i| (low[i] - slope[i] * from) as f32), slope: slope.map(|v| v as f32) }
 }
 
 /// For each of 256 equal parts of 0..1 (and for 1 itself), the first and the last piece that reach into it.

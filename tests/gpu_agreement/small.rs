@@ -70,6 +70,18 @@ impl Axes {
     }
 }
 
+impl Axes {
+    /// 400 nodes, every second without extinction.
+    fn teeth(&self) -> TransferFunction {
+        let node = |i: u32| CurveNode {
+            scalar: self.s(f64::from(i) / 399.0),
+            color: GOLD,
+            extinction: f64::from(i % 2) * 6.0 / self.diagonal,
+        };
+        TransferFunction::Curve(Curve { nodes: (0..400).map(node).collect() })
+    }
+}
+
 const GOLD: [f64; 3] = [0.9, 0.6, 0.3];
 const BLUE: [f64; 3] = [0.1, 0.3, 0.9];
 
@@ -88,9 +100,9 @@ fn cameras_from(mesh: &TetMesh, first: DVec3) -> [Camera; 2] {
     ]
 }
 
-/// Against the truth where `own_order` is false.
-fn agrees(mesh: &Arc<TetMesh>, what: &str, transfer: &TransferFunction, limits: Limits, own_order: bool) {
-    agrees_from(mesh, what, transfer, limits, own_order, &cameras(mesh));
+/// Against the truth where `own_order` is false. True where the cells were drawn in bands.
+fn agrees(mesh: &Arc<TetMesh>, what: &str, transfer: &TransferFunction, limits: Limits, own_order: bool) -> bool {
+    agrees_from(mesh, what, transfer, limits, own_order, &cameras(mesh))
 }
 
 fn agrees_from(
@@ -100,11 +112,14 @@ fn agrees_from(
     limits: Limits,
     own_order: bool,
     cameras: &[Camera],
-) {
+) -> bool {
+    let mut in_bands = false;
     let mut renderer = gpu::renderer(mesh, Settings::default());
     let oracle = Oracle::new(mesh.clone());
     for &camera in cameras {
-        let got = gpu::draw(&mut renderer, &camera, transfer, SIZE).image;
+        let drawn = gpu::draw(&mut renderer, &camera, transfer, SIZE);
+        in_bands = drawn.stats.cells.iter().any(|(stage, _)| stage == "bands of them");
+        let got = drawn.image;
         let frame = Frame { camera: &camera, transfer, size: SIZE, background: [0.0; 4] };
         let want = match own_order {
             true => oracle.render_in_order(&frame, &centroid_depth(mesh, &camera)),
@@ -121,6 +136,7 @@ fn agrees_from(
         }
         verdict.assert_good(what);
     }
+    in_bands
 }
 
 fn all_functions(mesh: &Arc<TetMesh>, what: &str) {
@@ -133,7 +149,6 @@ fn all_functions(mesh: &Arc<TetMesh>, what: &str) {
         ..axes.widget(axes.gaussian([0.3, 0.2], [0.3, 0.2], 0.0), GOLD, 20.0)
     };
     for (name, transfer) in [
-        ("curve", axes.curve([GOLD; 5])),
         ("uniform", TransferFunction::Widgets(vec![uniform(2.0)])),
         ("band", TransferFunction::Widgets(vec![axes.band()])),
         ("turned Gaussian", TransferFunction::Widgets(vec![turned])),
@@ -142,6 +157,12 @@ fn all_functions(mesh: &Arc<TetMesh>, what: &str) {
     ] {
         agrees(mesh, &format!("{what}, {name}"), &transfer, ONE_COLOR, false);
     }
+    assert!(agrees(mesh, &format!("{what}, curve"), &axes.curve([GOLD; 5]), ONE_COLOR, false), "{what}: in bands");
+    let teeth = axes.teeth();
+    assert!(
+        !agrees(mesh, &format!("{what}, many nodes"), &teeth, ONE_COLOR, false),
+        "{what}: too many bands for the room"
+    );
     let colors = [GOLD, BLUE, [1.0; 3], [0.0, 0.9, 0.2], [0.8, 0.0, 0.1]];
     agrees(mesh, &format!("{what}, curve of colours, own order"), &axes.curve(colors), ONE_COLOR, true);
     let mixed = TransferFunction::Widgets(vec![turned, Widget { color: BLUE, ..in_ranges }]);
