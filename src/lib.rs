@@ -38,7 +38,7 @@
 //! let (camera, transfer) = scene.resolve(&mesh)?;
 //! let mut renderer = GpuRenderer::new(Gpu::new(DeviceChoice::Any)?, Arc::new(mesh), Settings::default())?;
 //! let background = scene.premultiplied_background();
-//! let frame = Frame { camera: &camera, transfer: &transfer, size: scene.size, background };
+//! let frame = Frame { camera: &camera, transfer: &transfer, optics: &scene.optics, size: scene.size, background };
 //! let rendered = renderer.render(&frame, false)?;
 //! rendered.image.write(Path::new("fire.png"), PngEncoding::Srgb)?;
 //! # Ok(())

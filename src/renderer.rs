@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::error::Result;
 use crate::image::Image;
-use crate::scene::{Camera, TransferFunction};
+use crate::scene::{Camera, Optics, TransferFunction};
 use crate::tet::TetMesh;
 
 /// How cells meet pixels.
@@ -92,6 +92,8 @@ pub struct Frame<'a> {
     pub camera: &'a Camera,
     /// Classification, data units.
     pub transfer: &'a TransferFunction,
+    /// Emission, lighting, silhouettes.
+    pub optics: &'a Optics,
     /// Width and height in pixels.
     pub size: [u32; 2],
     /// Linear, premultiplied; composited behind the volume.

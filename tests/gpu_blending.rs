@@ -13,7 +13,7 @@ use tetralux::image::{Comparison, Image};
 use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
 use tetralux::renderer::{BlendFormat, Frame, Settings};
-use tetralux::scene::{Camera, Curve, CurveNode, Projection, TransferFunction};
+use tetralux::scene::{Camera, Curve, CurveNode, Optics, Projection, TransferFunction};
 use tetralux::tet::TetMesh;
 
 const SIZE: [u32; 2] = [96, 96];
@@ -49,7 +49,7 @@ fn camera(mesh: &TetMesh, distance: f64, perspective: bool) -> Camera {
 }
 
 fn truth(mesh: &Arc<TetMesh>, camera: &Camera, transfer: &TransferFunction) -> Image {
-    let frame = Frame { camera, transfer, size: SIZE, background: [0.0; 4] };
+    let frame = Frame { camera, transfer, optics: &Optics::PLAIN, size: SIZE, background: [0.0; 4] };
     Oracle::new(mesh.clone()).image(&frame).expect("a picture")
 }
 

@@ -44,7 +44,11 @@ struct Case {
 
 fn widget(shape: WidgetShape, extinction: f64, ranges: [Option<[f64; 2]>; 2]) -> TransferFunction {
     let [scalar_range, gradient_range] = ranges;
-    TransferFunction::Widgets(vec![Widget { shape, color: [0.9, 0.6, 0.3], extinction, scalar_range, gradient_range }])
+    TransferFunction::Widgets(vec![Widget {
+        scalar_range,
+        gradient_range,
+        ..Widget::new(shape, [0.9, 0.6, 0.3], extinction)
+    }])
 }
 
 /// Functions that no vertex value meets, and two wider ones over both axes.

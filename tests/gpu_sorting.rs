@@ -18,7 +18,7 @@ use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
 use tetralux::plan::order::centroid_depth;
 use tetralux::renderer::{Frame, Renderer as _, Settings, SortPlace};
-use tetralux::scene::{Camera, Curve, CurveNode, Projection, TransferFunction, Widget, WidgetShape};
+use tetralux::scene::{Camera, Curve, CurveNode, Optics, Projection, TransferFunction, Widget, WidgetShape};
 use tetralux::tet::TetMesh;
 
 const SIZE: [u32; 2] = [96, 96];
@@ -106,7 +106,8 @@ fn the_order_is_back_to_front() {
     let mesh = meshes::sample(Sample::Tangle, 3_000);
     let camera = camera(&mesh, DVec3::new(1.0, 0.7, 0.4), true);
     let transfer = colorful(&mesh);
-    let frame = Frame { camera: &camera, transfer: &transfer, size: SIZE, background: [0.0; 4] };
+    let frame =
+        Frame { camera: &camera, transfer: &transfer, optics: &Optics::PLAIN, size: SIZE, background: [0.0; 4] };
     let oracle = Oracle::new(mesh.clone());
     let keys = centroid_depth(&mesh, &camera);
     let front_first: Vec<f64> = keys.iter().map(|key| -key).collect();
@@ -143,6 +144,7 @@ fn gaussians(mesh: &TetMesh) -> TransferFunction {
         extinction,
         scalar_range: None,
         gradient_range: None,
+        window: None,
     }])
 }
 
@@ -169,7 +171,7 @@ fn frames_leave_nothing_behind() {
         let mut kept = gpu::renderer(&mesh, settings);
         for (i, &(camera, transfer, size)) in frames.iter().enumerate() {
             if i % 2 == 1 {
-                let frame = Frame { camera, transfer, size, background: [0.0; 4] };
+                let frame = Frame { camera, transfer, optics: &Optics::PLAIN, size, background: [0.0; 4] };
                 kept.render_only(&frame).expect("a frame");
             }
             let got = draw(&mut kept, camera, transfer, size).image;
@@ -200,7 +202,7 @@ fn a_background_lies_behind() {
     let mut renderer = gpu::renderer(&mesh, Settings::default());
     let plain = draw(&mut renderer, &camera, &transfer, SIZE).image;
     let background = [0.1, 0.3, 0.2, 0.5];
-    let frame = Frame { camera: &camera, transfer: &transfer, size: SIZE, background };
+    let frame = Frame { camera: &camera, transfer: &transfer, optics: &Optics::PLAIN, size: SIZE, background };
     let got = renderer.render(&frame, false).expect("a picture").image;
     let comparison = Comparison::new(&got, &plain.over(background)).expect("equal sizes");
     assert!(comparison.max < 1e-6, "{comparison}");

@@ -15,7 +15,7 @@ use tetralux::gpu::GpuRenderer;
 use tetralux::image::Image;
 use tetralux::oracle::Oracle;
 use tetralux::renderer::{Frame, Settings};
-use tetralux::scene::{Camera, Projection, TransferFunction, Widget, WidgetShape};
+use tetralux::scene::{Camera, Optics, Projection, TransferFunction, Widget, WidgetShape};
 use tetralux::tet::TetMesh;
 
 const SIZE: [u32; 2] = [64, 64];
@@ -43,8 +43,7 @@ fn random() -> Arc<TetMesh> {
 }
 
 fn medium(extinction: f64) -> TransferFunction {
-    let (shape, color) = (WidgetShape::Uniform, COLOR);
-    TransferFunction::Widgets(vec![Widget { shape, color, extinction, scalar_range: None, gradient_range: None }])
+    TransferFunction::Widgets(vec![Widget::new(WidgetShape::Uniform, COLOR, extinction)])
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -118,7 +117,7 @@ fn check(renderer: &mut GpuRenderer, mesh: &TetMesh, camera: &Camera, extinction
         total.seen += usize::from(opacity > 0.0);
     }
     let oracle = Oracle::new(Arc::new(mesh.clone()));
-    let frame = Frame { camera, transfer: &transfer, size: SIZE, background: [0.0; 4] };
+    let frame = Frame { camera, transfer: &transfer, optics: &Optics::PLAIN, size: SIZE, background: [0.0; 4] };
     let explainer = Explainer { mesh, frame, view: oracle.view(&frame).expect("a view"), shift: SNAP };
     let limits = Limits { psnr: f64::NEG_INFINITY, percentile_99_9: f64::INFINITY, explained_above: LIMIT };
     let verdict = Verdict::new(&got, &want, limits, |pixel, error| explainer.cause(pixel, error));

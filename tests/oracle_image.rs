@@ -10,7 +10,7 @@ use tetralux::image::Comparison;
 use tetralux::oracle::Oracle;
 use tetralux::plan::order::centroid_depth;
 use tetralux::renderer::{Frame, Renderer as _};
-use tetralux::scene::{Camera, Curve, CurveNode, Projection, TransferFunction, Widget, WidgetShape};
+use tetralux::scene::{Camera, Curve, CurveNode, Optics, Projection, TransferFunction, Widget, WidgetShape};
 use tetralux::tet::TetMesh;
 
 const MIN: DVec3 = DVec3::new(100.0, -2.0, 3.0);
@@ -19,8 +19,7 @@ const SIZE: [u32; 2] = [70, 45];
 
 fn uniform(extinction: f64) -> TransferFunction {
     let color = [1.0, 0.5, 0.25];
-    let shape = WidgetShape::Uniform;
-    TransferFunction::Widgets(vec![Widget { shape, color, extinction, scalar_range: None, gradient_range: None }])
+    TransferFunction::Widgets(vec![Widget::new(WidgetShape::Uniform, color, extinction)])
 }
 
 fn camera(eye: DVec3, projection: Projection) -> Camera {
@@ -49,7 +48,7 @@ fn cameras() -> Vec<Camera> {
 }
 
 fn frame<'a>(camera: &'a Camera, transfer: &'a TransferFunction) -> Frame<'a> {
-    Frame { camera, transfer, size: SIZE, background: [0.0; 4] }
+    Frame { camera, transfer, optics: &Optics::PLAIN, size: SIZE, background: [0.0; 4] }
 }
 
 /// The largest error of the opacity of a uniform medium, over all cameras.
@@ -112,6 +111,7 @@ fn affine_fields_do_not_depend_on_the_cells() {
             scalar_range: None,
             // Not at a height where rays run along it.
             gradient_range: Some([8.47, 10.52]),
+            window: None,
         },
         Widget {
             shape: WidgetShape::Uniform,
@@ -119,6 +119,7 @@ fn affine_fields_do_not_depend_on_the_cells() {
             extinction: 0.8,
             scalar_range: Some([100.0, 101.2]),
             gradient_range: None,
+            window: None,
         },
     ]);
     for camera in cameras() {

@@ -14,7 +14,7 @@ use tetralux::image::{Comparison, Image};
 use tetralux::mesh::{ArrayChoice, ReadOptions};
 use tetralux::oracle::Oracle;
 use tetralux::renderer::Frame;
-use tetralux::scene::TransferFunction;
+use tetralux::scene::{Optics, TransferFunction};
 use tetralux::tet::{FieldChoice, HexSplit, TetMesh};
 
 /// Issue 2: to 1e-4 a channel, except where the silhouette passes through the pixel.
@@ -36,7 +36,8 @@ fn agrees(name: &str) {
     let want = common::npy::rgba(&peers.join("reference").join(format!("{name}_v0.npz")));
     let oracle = Oracle::new(Arc::new(mesh(&scene, &peers)));
     let (camera, transfer) = (scene.camera(0), scene.transfer());
-    let frame = Frame { camera: &camera, transfer: &transfer, size: scene.image, background: [0.0; 4] };
+    let frame =
+        Frame { camera: &camera, transfer: &transfer, optics: &Optics::PLAIN, size: scene.image, background: [0.0; 4] };
     let start = Instant::now();
     let got = oracle.image(&frame).expect("a picture");
     println!("{name}: {:.2} s", start.elapsed().as_secs_f64());

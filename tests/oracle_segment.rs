@@ -84,6 +84,7 @@ impl Case {
                 extinction: w.amax,
                 scalar_range: w.ranges.s,
                 gradient_range: w.ranges.g,
+                window: None,
             })
         };
         self.widgets.iter().map(widget).collect::<Option<_>>().map(TransferFunction::Widgets)
@@ -176,6 +177,7 @@ fn narrow_peaks_are_found() {
                 extinction: 1.0 / sigma,
                 scalar_range: None,
                 gradient_range: None,
+                window: None,
             };
             let got = integrate(&TransferFunction::Widgets(vec![peak]), [0.0, 0.0], [1.0, 0.0], 1.0, 1e-11);
             let want = (2.0 * std::f64::consts::PI).sqrt();
@@ -195,6 +197,7 @@ fn reversal_keeps_the_depth() {
         extinction: 9.0,
         scalar_range: Some([0.1, 0.8]),
         gradient_range: None,
+        window: None,
     };
     let two = TransferFunction::Widgets(vec![widget([0.3, 0.2], [1.0, 0.0, 0.0]), widget([0.6, 0.4], [0.0, 1.0, 0.0])]);
     let there = integrate(&two, [0.0, 0.1], [1.0, 0.6], 2.0, 1e-12);
@@ -213,6 +216,7 @@ fn absurd_values_end() {
             extinction,
             scalar_range: None,
             gradient_range: None,
+            window: None,
         };
         TransferFunction::Widgets(vec![widget])
     };

@@ -26,7 +26,7 @@ fn nothing_said_is_a_scene() {
 #[test]
 fn a_gaussian_is_read_in_radians_and_linear_colour() {
     let scene = Scene::parse(GAUSSIAN, &[]).unwrap();
-    let widget = widgets(&scene)[0];
+    let widget = &widgets(&scene)[0];
     let WidgetShape::Gaussian { center, sigma, angle } = widget.shape else { panic!("a gaussian") };
     assert_eq!((center, sigma), ([1.0, 2.0], [0.5, 1.0]));
     assert!((angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15);

@@ -36,7 +36,7 @@ fn panel(height: u32, mesh: &TetMesh, transfer: &TransferFunction) -> Result<Ima
     let gradient_label = format!("|grad {}|", mesh.field);
     let (y, y_label) = match transfer {
         TransferFunction::Widgets(widgets) => {
-            (Interval { max: gradient.max.min(reach(widgets, gradient)), ..gradient }, gradient_label.as_str())
+            (Interval { max: gradient.max.min(reach(widgets, scalar, gradient)), ..gradient }, gradient_label.as_str())
         }
         TransferFunction::Curve(curve) => (Interval { min: 0.0, max: highest(curve, scalar) }, "extinction per length"),
     };
@@ -55,19 +55,33 @@ fn panel(height: u32, mesh: &TetMesh, transfer: &TransferFunction) -> Result<Ima
 }
 
 /// The gradient magnitude beyond which no widget shows: gradients have long tails that would squeeze the rest.
-fn reach(widgets: &[Widget], gradient: Interval) -> f64 {
+fn reach(widgets: &[Widget], scalar: Interval, gradient: Interval) -> f64 {
     let of = |widget: &Widget| {
-        let shape = match widget.shape {
-            WidgetShape::Uniform => f64::INFINITY,
+        let shape = match &widget.shape {
+            WidgetShape::Uniform | WidgetShape::Triangle { .. } | WidgetShape::Sinusoid { .. } => f64::INFINITY,
             WidgetShape::Gaussian { center, sigma, angle } => {
                 center[1] + 3.0 * (sigma[0] * angle.sin()).hypot(sigma[1] * angle.cos())
             }
+            WidgetShape::Ramp { direction, knots } => highest_gradient(*direction, knots, scalar),
         };
+        let window = widget.window.as_ref();
+        let shape = window.map_or(shape, |w| shape.min(highest_gradient(w.direction, &w.knots, scalar)));
         widget.gradient_range.map_or(shape, |[_, high]| shape.min(1.1 * high))
     };
     let most = widgets.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
     // Widgets that all lie below the range leave a frame with nothing in it.
     if most > gradient.min { most } else { gradient.max }
+}
+
+/// The largest gradient magnitude that the knots let through anywhere within `scalar`.
+fn highest_gradient(direction: [f64; 2], knots: &[[f64; 2]], scalar: Interval) -> f64 {
+    let (Some(first), Some(last)) = (knots.first(), knots.last()) else { return f64::INFINITY };
+    // `low <= a s + b g <= high` at either end of the scalars.
+    let at = |s: f64| {
+        let ends = [first[0], last[0]].map(|u| (u - direction[0] * s) / direction[1]);
+        ends[0].max(ends[1])
+    };
+    if direction[1] == 0.0 { f64::INFINITY } else { 1.1 * at(scalar.min).max(at(scalar.max)) }
 }
 
 /// The largest extinction within `scalar`; 1 where there is none.

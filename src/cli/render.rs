@@ -22,7 +22,8 @@ pub(super) fn run(args: &RenderArgs) -> anyhow::Result<()> {
         progress::step("preparing", || device::renderer(&mesh, args.device, args.choices.settings(), &bar))?;
     let prepare = start.elapsed();
     let background = job.scene.premultiplied_background();
-    let frame = Frame { camera: &camera, transfer: &transfer, size: job.scene.size, background };
+    let frame =
+        Frame { camera: &camera, transfer: &transfer, optics: &job.scene.optics, size: job.scene.size, background };
     let timed = args.explain || args.stats.is_some();
     let mut rendered = progress::step_with(bar, || renderer.render(&frame, timed))?;
     // The picture above was the warm-up: passes are timed once more.

@@ -18,7 +18,7 @@ use crate::gpu::target::Target;
 use crate::gpu::transfer::TransferBuffers;
 use crate::plan::near::{self, NearCut};
 use crate::renderer::{BlendFormat, BufferSize, Frame, Rendered, Renderer, Settings, SortPlace, Stats};
-use crate::scene::{Camera, Projection, TransferFunction};
+use crate::scene::{Camera, Optics, Projection, TransferFunction};
 use crate::tet::TetMesh;
 
 /// Nothing in front of what lies behind.
@@ -180,6 +180,13 @@ impl GpuRenderer {
 
     /// Draws a frame; the picture is left in the target.
     fn draw_frame(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Drawn> {
+        if *frame.optics != Optics::PLAIN {
+            return Err(Error::Asked(
+                "unweighted emission, lighting and silhouettes cannot be drawn on a graphics device yet: use --device \
+                 oracle"
+                    .into(),
+            ));
+        }
         let perspective = matches!(frame.camera.projection, Projection::Perspective { .. });
         self.prepare_scene(frame.transfer, perspective)?;
         if self.target.as_ref().is_none_or(|t| t.size != frame.size) {

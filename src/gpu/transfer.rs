@@ -51,7 +51,9 @@ impl TransferBuffers {
     ) -> Result<Self> {
         let (mut widgets, nodes): (Vec<GpuWidget>, Vec<(f64, [f64; 4])>) = match transfer {
             TransferFunction::Widgets(list) => {
-                (list.iter().map(|w| widget(w, scalar, gradient, data_per_mesh)).collect(), Vec::new())
+                let widgets = list.iter().enumerate();
+                let widgets = widgets.map(|(index, w)| widget(index, w, scalar, gradient, data_per_mesh));
+                (widgets.collect::<Result<_>>()?, Vec::new())
             }
             TransferFunction::Curve(curve) => (Vec::new(), curve_nodes(curve, scalar, data_per_mesh)),
         };
@@ -104,7 +106,13 @@ impl TransferBuffers {
     }
 }
 
-fn widget(w: &Widget, scalar: Normalisation, gradient: Normalisation, data_per_mesh: f64) -> GpuWidget {
+fn widget(
+    index: usize,
+    w: &Widget,
+    scalar: Normalisation,
+    gradient: Normalisation,
+    data_per_mesh: f64,
+) -> Result<GpuWidget> {
     let range = |range: Option<[f64; 2]>, axis: Normalisation| {
         range.map_or(UNBOUNDED, |[low, high]| {
             // Ends belong to the range: a hair wider, since values at the ends are computed. Those beyond every value
@@ -116,6 +124,10 @@ fn widget(w: &Widget, scalar: Normalisation, gradient: Normalisation, data_per_m
     let [scalar_low, scalar_high] = range(w.scalar_range, scalar);
     let [gradient_low, gradient_high] = range(w.gradient_range, gradient);
     let (shape, center, whiten) = match w.shape {
+        _ if w.window.is_some() => return Err(unknown(index, "a window")),
+        WidgetShape::Triangle { .. } => return Err(unknown(index, "a triangle wave")),
+        WidgetShape::Sinusoid { .. } => return Err(unknown(index, "a sinusoid")),
+        WidgetShape::Ramp { .. } => return Err(unknown(index, "a ramp")),
         WidgetShape::Uniform => (0, [0.0; 2], [0.0; 4]),
         WidgetShape::Gaussian { center, sigma, angle } => {
             let (sin, cos) = angle.sin_cos();
@@ -127,7 +139,7 @@ fn widget(w: &Widget, scalar: Normalisation, gradient: Normalisation, data_per_m
             (1, [scalar.apply(center[0]), gradient.apply(center[1])], rows.map(|v| v.clamp(-1e12, 1e12) as f32))
         }
     };
-    GpuWidget {
+    Ok(GpuWidget {
         whiten,
         center: center.map(|c| c as f32),
         extinction: (w.extinction * data_per_mesh) as f32,
@@ -138,7 +150,11 @@ fn widget(w: &Widget, scalar: Normalisation, gradient: Normalisation, data_per_m
         scalar_high,
         gradient_low,
         gradient_high,
-    }
+    })
+}
+
+fn unknown(index: usize, what: &str) -> Error {
+    Error::Asked(format!("widget {index}: {what} cannot be drawn on a graphics device yet: use --device oracle"))
 }
 
 /// The curve's nodes, normalised, with their colours and extinctions; and one more at either end, so that the first and

@@ -77,6 +77,7 @@ mod tests {
             extinction: 1.0,
             scalar_range: Some([0.25, 2.0]),
             gradient_range: None,
+            window: None,
         };
         let got = cuts(&TransferFunction::Widgets(vec![widget]), [0.0, 0.5], [1.0, 0.0]);
         let want = [0.1, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7, 0.9];

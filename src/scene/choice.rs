@@ -7,7 +7,10 @@ use glam::DVec3;
 use super::camera::{Camera, Projection};
 use super::document::{Document, Override, Problem};
 use super::file::read_scene;
-use super::transfer::{TransferFunction, Widget, WidgetShape};
+use super::optics::Optics;
+use super::shape::{WidgetShape, Window};
+use super::transfer::TransferFunction;
+use super::widget::Widget;
 use crate::error::{Error, Result};
 use crate::space::{Bounds, Interval};
 
@@ -24,6 +27,8 @@ pub struct Scene {
     pub field: Option<String>,
     /// Classification; chosen from the mesh's joint histogram where `None`.
     pub transfer: Option<TransferChoice>,
+    /// Emission, lighting, silhouettes.
+    pub optics: Optics,
 }
 
 /// A camera, possibly to be fitted.
@@ -217,19 +222,48 @@ impl Axis {
 }
 
 fn widget_in_data(widget: &Widget, axes: [Axis; 2]) -> Widget {
-    let shape = match widget.shape {
+    let shape = match &widget.shape {
         WidgetShape::Uniform => WidgetShape::Uniform,
-        WidgetShape::Gaussian { center, sigma, angle } => {
+        &WidgetShape::Gaussian { center, sigma, angle } => {
             let (sigma, angle) = stretch(sigma, angle, [axes[0].scale, axes[1].scale]);
             WidgetShape::Gaussian { center: [axes[0].data(center[0]), axes[1].data(center[1])], sigma, angle }
         }
+        &WidgetShape::Triangle { direction, offset, period, duty } => {
+            let (direction, shift) = direction_in_data(direction, axes);
+            WidgetShape::Triangle { direction, offset: offset + shift, period, duty }
+        }
+        &WidgetShape::Sinusoid { direction, offset, period, variant } => {
+            let (direction, shift) = direction_in_data(direction, axes);
+            WidgetShape::Sinusoid { direction, offset: offset + shift, period, variant }
+        }
+        WidgetShape::Ramp { direction, knots } => {
+            let (direction, knots) = knots_in_data(*direction, knots, axes);
+            WidgetShape::Ramp { direction, knots }
+        }
     };
+    let window = widget.window.as_ref().map(|window| {
+        let (direction, knots) = knots_in_data(window.direction, &window.knots, axes);
+        Window { direction, knots }
+    });
     Widget {
         shape,
+        color: widget.color,
+        extinction: widget.extinction,
         scalar_range: widget.scalar_range.map(|r| r.map(|v| axes[0].data(v))),
         gradient_range: widget.gradient_range.map(|r| r.map(|v| axes[1].data(v))),
-        ..*widget
+        window,
     }
+}
+
+/// Directions change inversely to positions: `direction . normalized = direction' . data - shift`.
+fn direction_in_data(direction: [f64; 2], axes: [Axis; 2]) -> ([f64; 2], f64) {
+    let direction = [direction[0] / axes[0].scale, direction[1] / axes[1].scale];
+    (direction, direction[0] * axes[0].origin + direction[1] * axes[1].origin)
+}
+
+fn knots_in_data(direction: [f64; 2], knots: &[[f64; 2]], axes: [Axis; 2]) -> ([f64; 2], Vec<[f64; 2]>) {
+    let (direction, shift) = direction_in_data(direction, axes);
+    (direction, knots.iter().map(|&[u, weight]| [u + shift, weight]).collect())
 }
 
 /// A rotated Gaussian under a stretch of the axes is another one: its standard deviations are the singular values of

@@ -7,7 +7,10 @@ use serde::Deserialize;
 
 use super::choice::{CameraChoice, Opening, Scene, TransferChoice, Units, Viewpoint};
 use super::document::{Document, Problem};
-use super::transfer::{Curve, CurveNode, TransferFunction, Widget, WidgetShape};
+use super::optics::Optics;
+use super::shape::WidgetShape;
+use super::transfer::{Curve, CurveNode, TransferFunction};
+use super::widget::Widget;
 use crate::error::Result;
 
 /// At most this many widgets: what the shaders hold.
@@ -201,7 +204,14 @@ fn check_scene(keys: SceneKeys) -> Checked<Scene> {
         (None, Some(_)) => return Err(Problem::new("units", "there is no transfer function that they could apply to")),
         (None, None) => None,
     };
-    Ok(Scene { camera: check_camera(&keys.camera)?, size, background, field: keys.field.scalar, transfer })
+    Ok(Scene {
+        camera: check_camera(&keys.camera)?,
+        size,
+        background,
+        field: keys.field.scalar,
+        transfer,
+        optics: Optics::PLAIN,
+    })
 }
 
 fn check_side(key: &str, value: i64) -> Checked<u32> {
@@ -353,6 +363,7 @@ fn check_widget(index: usize, keys: &WidgetKeys) -> Checked<Widget> {
         extinction: check_extinction(&key("extinction"), keys.extinction)?,
         scalar_range: range("scalar_range", keys.scalar_range)?,
         gradient_range: range("gradient_range", keys.gradient_range)?,
+        window: None,
     })
 }
 

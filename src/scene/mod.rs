@@ -4,13 +4,21 @@ mod camera;
 mod choice;
 mod document;
 mod file;
+mod optics;
 mod resolve;
+mod shape;
 mod suggest;
 mod transfer;
+mod widget;
 
 pub use camera::{Basis, Camera, Projection};
 pub use choice::{CameraChoice, Opening, Scene, TransferChoice, Units, Viewpoint};
 pub use document::Override;
 pub use file::MAX_WIDGETS;
+pub use optics::{
+    EmissionModel, GRADIENT_FLOOR, HALF_VECTOR_FLOOR, LightSpace, Lighting, Optics, Silhouette, SilhouetteMode,
+};
+pub use shape::{SinusoidVariant, WidgetShape, Window};
 pub use suggest::suggest;
-pub use transfer::{Curve, CurveNode, TransferFunction, Widget, WidgetShape};
+pub use transfer::{Curve, CurveNode, Terms, TransferFunction};
+pub use widget::Widget;

@@ -40,13 +40,12 @@ pub fn suggest(mesh: &TetMesh, histogram: &JointHistogram) -> TransferFunction {
         let coverage = peak.coverage(histogram).max(SMALLEST_COVERAGE);
         let extinction = OPTICAL_DEPTH / shapes.len() as f64 / (depth_per_extinction * coverage);
         if extinction.is_finite() {
-            widgets.push(Widget { shape: peak.shape(), color, extinction, scalar_range: None, gradient_range: None });
+            widgets.push(Widget::new(peak.shape(), color, extinction));
         }
     }
     if widgets.is_empty() {
         let extinction = OPTICAL_DEPTH / depth_per_extinction;
-        let shape = WidgetShape::Uniform;
-        widgets.push(Widget { shape, color: PLAIN, extinction, scalar_range: None, gradient_range: None });
+        widgets.push(Widget::new(WidgetShape::Uniform, PLAIN, extinction));
     }
     TransferFunction::Widgets(widgets)
 }

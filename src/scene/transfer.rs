@@ -1,36 +1,7 @@
 //! Transfer functions: extinction and colour over (scalar, gradient magnitude), in data units.
 
-/// The profile of a widget over (scalar, gradient magnitude), 1 at its maximum.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum WidgetShape {
-    /// 1 everywhere inside the ranges.
-    Uniform,
-    /// `exp(-(xi^2 / (2 sigma_s^2) + eta^2 / (2 sigma_g^2)))`, `xi = cos ds + sin dg`, `eta = -sin ds + cos dg`,
-    /// `(ds, dg)` the distance from the centre.
-    Gaussian {
-        /// (scalar, gradient magnitude).
-        center: [f64; 2],
-        /// Standard deviations along the rotated axes, positive.
-        sigma: [f64; 2],
-        /// Counter-clockwise in the (s, g) plane, radians.
-        angle: f64,
-    },
-}
-
-/// One widget: extinction per unit length and colour.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Widget {
-    /// The profile.
-    pub shape: WidgetShape,
-    /// Linear RGB.
-    pub color: [f64; 3],
-    /// At the profile's maximum, 1 / data length, non-negative.
-    pub extinction: f64,
-    /// Zero outside this closed range of the scalar.
-    pub scalar_range: Option<[f64; 2]>,
-    /// Zero outside this closed range of the gradient magnitude.
-    pub gradient_range: Option<[f64; 2]>,
-}
+use super::optics::EmissionModel;
+use super::widget::Widget;
 
 /// A node of a 1D function.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,8 +14,7 @@ pub struct CurveNode {
     pub extinction: f64,
 }
 
-/// A 1D function of the scalar: colour and extinction each linear between the nodes and constant beyond the ends;
-/// emission = colour x extinction.
+/// A 1D function of the scalar: colour and extinction each linear between the nodes and constant beyond the ends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
     /// At least one; strictly increasing in `scalar`.
@@ -54,37 +24,11 @@ pub struct Curve {
 /// A sum of widgets, or a 1D function.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TransferFunction {
-    /// Extinctions and emissions add.
+    /// Extinctions and emissions add. With unweighted emission each widget emits its colour all over its support
+    /// ([`Widget::supports`]).
     Widgets(Vec<Widget>),
-    /// 1D.
+    /// 1D. With unweighted emission: its colour wherever its extinction is above 0.
     Curve(Curve),
-}
-
-impl WidgetShape {
-    /// The profile at `(scalar, gradient)`: 1 at the maximum, never negative.
-    pub fn profile(&self, scalar: f64, gradient: f64) -> f64 {
-        match *self {
-            Self::Uniform => 1.0,
-            Self::Gaussian { center, sigma, angle } => {
-                let (sin, cos) = angle.sin_cos();
-                let (ds, dg) = (scalar - center[0], gradient - center[1]);
-                let (p, q) = ((cos * ds + sin * dg) / sigma[0], (cos * dg - sin * ds) / sigma[1]);
-                (-0.5 * (p * p + q * q)).exp()
-            }
-        }
-    }
-}
-
-impl Widget {
-    /// Extinction (1 / data length) at `(scalar, gradient)`; 0 outside the ranges, whose ends belong to them.
-    pub fn extinction_at(&self, scalar: f64, gradient: f64) -> f64 {
-        let inside = |range: Option<[f64; 2]>, v: f64| range.is_none_or(|[low, high]| low <= v && v <= high);
-        if inside(self.scalar_range, scalar) && inside(self.gradient_range, gradient) {
-            self.extinction * self.shape.profile(scalar, gradient)
-        } else {
-            0.0
-        }
-    }
 }
 
 impl Curve {
@@ -104,19 +48,58 @@ impl Curve {
     }
 }
 
+/// What a transfer function says of one point.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Terms {
+    /// 1 / data length.
+    pub extinction: f64,
+    /// Linear RGB, 1 / data length.
+    pub emission: [f64; 3],
+    /// What [`Self::emission`] would be if every colour were white; highlights are weighted by it.
+    pub white: f64,
+}
+
+impl Terms {
+    fn add(&mut self, extinction: f64, color: [f64; 3], weight: f64) {
+        self.extinction += extinction;
+        self.white += weight;
+        self.emission = std::array::from_fn(|c| self.emission[c] + weight * color[c]);
+    }
+}
+
 impl TransferFunction {
-    /// Extinction and emission (colour x extinction, linear RGB), both 1 / data length, at `(scalar, gradient)`.
-    pub fn extinction_and_emission(&self, scalar: f64, gradient: f64) -> (f64, [f64; 3]) {
+    /// Extinction and emission at `(scalar, gradient)`.
+    pub fn terms(&self, model: EmissionModel, scalar: f64, gradient: f64) -> Terms {
+        let mut terms = Terms::default();
+        let unit = |emits: bool| f64::from(u8::from(emits));
         match self {
-            Self::Widgets(widgets) => widgets.iter().fold((0.0, [0.0; 3]), |(sum, emission), widget| {
-                let extinction = widget.extinction_at(scalar, gradient);
-                (sum + extinction, std::array::from_fn(|c| emission[c] + extinction * widget.color[c]))
-            }),
+            Self::Widgets(widgets) => {
+                for widget in widgets {
+                    let extinction = widget.extinction_at(scalar, gradient);
+                    let weight = match model {
+                        EmissionModel::Weighted => extinction,
+                        EmissionModel::Unweighted => unit(widget.supports(scalar, gradient)),
+                    };
+                    terms.add(extinction, widget.color, weight);
+                }
+            }
             Self::Curve(curve) => {
                 let node = curve.at(scalar);
-                (node.extinction, node.color.map(|c| c * node.extinction))
+                let weight = match model {
+                    EmissionModel::Weighted => node.extinction,
+                    EmissionModel::Unweighted => unit(node.extinction > 0.0),
+                };
+                terms.add(node.extinction, node.color, weight);
             }
         }
+        terms
+    }
+
+    /// Extinction and weighted emission (colour x extinction, linear RGB), both 1 / data length, at
+    /// `(scalar, gradient)`.
+    pub fn extinction_and_emission(&self, scalar: f64, gradient: f64) -> (f64, [f64; 3]) {
+        let terms = self.terms(EmissionModel::Weighted, scalar, gradient);
+        (terms.extinction, terms.emission)
     }
 }
 
@@ -146,27 +129,12 @@ mod tests {
     }
 
     #[test]
-    fn widgets_add_inside_their_closed_ranges() {
-        let uniform = Widget {
-            shape: WidgetShape::Uniform,
-            color: [1.0, 0.5, 0.0],
-            extinction: 2.0,
-            scalar_range: Some([0.0, 1.0]),
-            gradient_range: None,
-        };
-        let shape = WidgetShape::Gaussian { center: [1.0, 0.0], sigma: [0.5, 2.0], angle: 0.0 };
-        let gaussian = Widget { shape, color: [0.0, 0.0, 1.0], scalar_range: None, ..uniform };
-        let sum = TransferFunction::Widgets(vec![uniform, gaussian]);
-        assert_eq!(sum.extinction_and_emission(1.0, 0.0), (4.0, [2.0, 1.0, 2.0]));
-        let (extinction, _) = sum.extinction_and_emission(1.5, 0.0);
-        assert!((extinction - 2.0 * (-0.5f64).exp()).abs() < 1e-15, "one sigma away, outside the box: {extinction}");
-    }
-
-    #[test]
-    fn an_angle_turns_counter_clockwise() {
-        let angle = std::f64::consts::FRAC_PI_2;
-        let shape = WidgetShape::Gaussian { center: [0.0, 0.0], sigma: [1.0, 10.0], angle };
-        assert!(shape.profile(0.0, 3.0) < 0.02, "the narrow axis lies along the gradient");
-        assert!(shape.profile(3.0, 0.0) > 0.9, "the wide axis lies along the scalar");
+    fn unweighted_emission_of_a_curve_is_its_colour_where_it_absorbs() {
+        let node = |scalar, extinction| CurveNode { scalar, color: [0.5, 0.25, 1.0], extinction };
+        let curve = TransferFunction::Curve(Curve { nodes: vec![node(0.0, 0.0), node(1.0, 0.0), node(2.0, 8.0)] });
+        let at = |scalar| curve.terms(EmissionModel::Unweighted, scalar, 0.0);
+        assert_eq!(at(0.5), Terms::default(), "nothing glows where nothing absorbs");
+        assert_eq!(at(1.25), Terms { extinction: 2.0, emission: [0.5, 0.25, 1.0], white: 1.0 });
+        assert_eq!(at(9.0).white, 1.0);
     }
 }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use tetralux::gpu::{DeviceChoice, Gpu, GpuRenderer};
 use tetralux::image::Image;
 use tetralux::renderer::{Frame, Rendered, Renderer as _, Settings};
-use tetralux::scene::{Camera, TransferFunction};
+use tetralux::scene::{Camera, Optics, TransferFunction};
 use tetralux::tet::TetMesh;
 
 /// The software adapter, whose arithmetic is the same everywhere, unless `TETRALUX_GPU=hardware` asks for another.
@@ -36,7 +36,7 @@ pub fn renderer(mesh: &Arc<TetMesh>, settings: Settings) -> GpuRenderer {
 
 /// One frame without background.
 pub fn draw(renderer: &mut GpuRenderer, camera: &Camera, transfer: &TransferFunction, size: [u32; 2]) -> Rendered {
-    let frame = Frame { camera, transfer, size, background: [0.0; 4] };
+    let frame = Frame { camera, transfer, optics: &Optics::PLAIN, size, background: [0.0; 4] };
     renderer.render(&frame, false).unwrap_or_else(|e| panic!("{e}"))
 }
 

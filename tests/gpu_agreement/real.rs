@@ -9,7 +9,7 @@ use tetralux::image::Image;
 use tetralux::oracle::Oracle;
 use tetralux::plan::order::centroid_depth;
 use tetralux::renderer::{Frame, Settings};
-use tetralux::scene::{Curve, TransferFunction};
+use tetralux::scene::{Curve, Optics, TransferFunction};
 use tetralux::tet::TetMesh;
 
 use crate::common::agreement::{Cause, Explainer, Limits, Verdict, assert_limits_bite};
@@ -51,7 +51,8 @@ fn agrees(name: &str, view: usize) {
     let got_plain = gpu::draw(&mut renderer, &camera, &plain, scene.image).image;
     drop(renderer);
     let oracle = Oracle::new(mesh.clone());
-    let frame = Frame { camera: &camera, transfer: &transfer, size: scene.image, background: [0.0; 4] };
+    let frame =
+        Frame { camera: &camera, transfer: &transfer, optics: &Optics::PLAIN, size: scene.image, background: [0.0; 4] };
     let truth = oracle.image(&frame).expect("a picture");
     let in_order = oracle.render_in_order(&frame, &centroid_depth(&mesh, &camera)).expect("a picture");
     let frame_plain = Frame { transfer: &plain, ..frame };

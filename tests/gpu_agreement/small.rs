@@ -7,7 +7,7 @@ use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
 use tetralux::plan::order::centroid_depth;
 use tetralux::renderer::{Frame, Settings};
-use tetralux::scene::{Camera, Curve, CurveNode, Projection, TransferFunction, Widget, WidgetShape};
+use tetralux::scene::{Camera, Curve, CurveNode, Optics, Projection, TransferFunction, Widget, WidgetShape};
 use tetralux::tet::TetMesh;
 
 use crate::common::agreement::{Explainer, Limits, Verdict, assert_limits_bite};
@@ -44,7 +44,7 @@ impl Axes {
     }
 
     fn widget(&self, shape: WidgetShape, color: [f64; 3], depth: f64) -> Widget {
-        Widget { shape, color, extinction: depth / self.diagonal, scalar_range: None, gradient_range: None }
+        Widget::new(shape, color, depth / self.diagonal)
     }
 
     fn gaussian(&self, center: [f64; 2], sigma: [f64; 2], angle: f64) -> WidgetShape {
@@ -120,7 +120,7 @@ fn agrees_from(
         let drawn = gpu::draw(&mut renderer, &camera, transfer, SIZE);
         in_bands = drawn.stats.cells.iter().any(|(stage, _)| stage == "bands of them");
         let got = drawn.image;
-        let frame = Frame { camera: &camera, transfer, size: SIZE, background: [0.0; 4] };
+        let frame = Frame { camera: &camera, transfer, optics: &Optics::PLAIN, size: SIZE, background: [0.0; 4] };
         let want = match own_order {
             true => oracle.render_in_order(&frame, &centroid_depth(mesh, &camera)),
             false => oracle.image(&frame),
@@ -151,9 +151,9 @@ fn all_functions(mesh: &Arc<TetMesh>, what: &str) {
     for (name, transfer) in [
         ("uniform", TransferFunction::Widgets(vec![uniform(2.0)])),
         ("band", TransferFunction::Widgets(vec![axes.band()])),
-        ("turned Gaussian", TransferFunction::Widgets(vec![turned])),
-        ("Gaussian with ranges", TransferFunction::Widgets(vec![in_ranges])),
-        ("several", TransferFunction::Widgets(vec![turned, in_ranges, axes.band(), uniform(0.5)])),
+        ("turned Gaussian", TransferFunction::Widgets(vec![turned.clone()])),
+        ("Gaussian with ranges", TransferFunction::Widgets(vec![in_ranges.clone()])),
+        ("several", TransferFunction::Widgets(vec![turned.clone(), in_ranges.clone(), axes.band(), uniform(0.5)])),
     ] {
         agrees(mesh, &format!("{what}, {name}"), &transfer, ONE_COLOR, false);
     }

@@ -19,6 +19,7 @@ fn profile(widget: &Widget, s: f64, g: f64) -> f64 {
         WidgetShape::Gaussian { center, sigma, .. } => {
             (-0.5 * (((s - center[0]) / sigma[0]).powi(2) + ((g - center[1]) / sigma[1]).powi(2))).exp()
         }
+        ref other => panic!("no suggestion is made of {other:?}"),
     }
 }
 
@@ -76,7 +77,7 @@ fn the_boundary_of_a_ball_is_found() {
         .into_iter()
         .filter_map(|w| match w.shape {
             WidgetShape::Gaussian { center, .. } => Some(center),
-            WidgetShape::Uniform => None,
+            _ => None,
         })
         .max_by(|a, b| a[1].total_cmp(&b[1]))
         .unwrap();
@@ -91,7 +92,7 @@ fn a_constant_field_gets_a_uniform_widget_at_any_scale() {
         mesh.points.iter_mut().for_each(|p| *p *= scale);
         let (mesh, _) = build(mesh);
         let widgets = widgets(&mesh);
-        assert_eq!((widgets.len(), widgets[0].shape), (1, WidgetShape::Uniform));
+        assert_eq!((widgets.len(), &widgets[0].shape), (1, &WidgetShape::Uniform));
         let depth = depth_along_diagonal(&mesh, &widgets);
         assert!(depth > 2.0 && depth < 4.0, "{depth}");
     }
