@@ -1,6 +1,10 @@
 //! Scene files as users write them: what is read, what flags change, and how mistakes are named.
 
-use tetralux::scene::{Override, Scene, TransferFunction, Viewpoint, Widget, WidgetShape};
+use tetralux::scene::{
+    EmissionModel, LightSpace, Optics, Override, Scene, SilhouetteMode, SinusoidVariant, TransferFunction, Units,
+    Viewpoint, Widget, WidgetShape, Window,
+};
+use tetralux::space::Interval;
 
 const GAUSSIAN: &str = "[[transfer.widget]]\nshape = \"gaussian\"\ncenter = [1, 2]\nsigma = [0.5, 1]\nangle = 90\n\
                         color = \"#ff8000\"\nextinction = 3\nscalar_range = [0, 2]\n";
@@ -21,6 +25,7 @@ fn nothing_said_is_a_scene() {
     let scene = Scene::parse("", &[]).unwrap();
     assert_eq!((scene.size, scene.background, scene.field), ([800, 600], [0.0; 4], None));
     assert!(scene.transfer.is_none());
+    assert_eq!(scene.optics, Optics::PLAIN);
 }
 
 #[test]
@@ -39,7 +44,7 @@ fn a_gaussian_is_read_in_radians_and_linear_colour() {
 fn documented_and_bundled_scenes_are_scenes() {
     let page = include_str!("../docs/scene.md");
     let snippets: Vec<&str> = page.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
-    assert_eq!(snippets.len(), 2);
+    assert_eq!(snippets.len(), 4);
     for text in snippets.into_iter().chain([include_str!("../examples/fire.toml")]) {
         assert!(Scene::parse(text, &[]).unwrap().transfer.is_some());
     }
@@ -69,6 +74,9 @@ fn bad_scenes_are_named_by_key_and_line() {
         |line: &str| format!("[[transfer.widget]]\nshape = \"uniform\"\ncolor = [1, 1, 1]\nextinction = 1\n{line}\n");
     let gaussian = |from: &str, to: &str| GAUSSIAN.replace(from, to);
     let many = widget("").repeat(65);
+    let wave = |kind: &str, line: &str| widget(line).replace("uniform", kind);
+    let knots = |list: &str| wave("ramp", &format!("knots = {list}"));
+    let window = |rest: &str| widget(&format!("window = {{{rest}}}"));
     let cases: Vec<(String, &[&str])> = vec![
         ("colour = 1\n".into(), &["line 1", "colour", "unknown field"]),
         ("[image]\nwidth = 0\n".into(), &["line 2", "image.width", "1..32768"]),
@@ -107,6 +115,42 @@ fn bad_scenes_are_named_by_key_and_line() {
         (widget("gradient_range = [3, 2]"), &["transfer.widget.0.gradient_range"]),
         (widget("") + &widget("extinction = 2"), &["line 10", "duplicate key"]),
         (many, &["transfer.widget.64", "at most 64"]),
+        (wave("triangle", ""), &["line 1", "transfer.widget.0.period", "needs"]),
+        (wave("sinusoid", ""), &["transfer.widget.0.period", "needs"]),
+        (wave("triangle", "period = 0"), &["line 5", "transfer.widget.0.period", "above 0"]),
+        (wave("sinusoid", "period = -1"), &["line 5", "transfer.widget.0.period", "above 0"]),
+        (wave("sinusoid", "period = inf"), &["transfer.widget.0.period", "finite"]),
+        (wave("triangle", "period = 1\noffset = nan"), &["line 6", "transfer.widget.0.offset", "finite"]),
+        (wave("triangle", "period = 1\nduty = 0"), &["line 6", "transfer.widget.0.duty", "at most 1"]),
+        (wave("triangle", "period = 1\nduty = 1.5"), &["transfer.widget.0.duty", "1.5"]),
+        (wave("triangle", "period = 1\nduty = nan"), &["transfer.widget.0.duty"]),
+        (wave("triangle", "period = 1\nvariant = \"cos\""), &["line 6", "transfer.widget.0.variant", "has none"]),
+        (wave("sinusoid", "period = 1\nduty = 0.5"), &["line 6", "transfer.widget.0.duty", "has none"]),
+        (wave("sinusoid", "period = 1\nvariant = \"saw\""), &["line 6", "transfer.widget.0.variant", "saw"]),
+        (wave("sinusoid", "period = 1\ndirection = [0, 0]"), &["line 6", "transfer.widget.0.direction", "zero"]),
+        (wave("sinusoid", "period = 1\ndirection = [1, inf]"), &["transfer.widget.0.direction", "finite"]),
+        (wave("ramp", ""), &["transfer.widget.0.knots", "needs"]),
+        (wave("ramp", "center = [0, 0]"), &["line 5", "transfer.widget.0.center", "has none"]),
+        (knots("[]"), &["line 5", "transfer.widget.0.knots", "at least two"]),
+        (knots("[[0, 1]]"), &["transfer.widget.0.knots", "at least two"]),
+        (knots("[[0, 1], [0, 1]]"), &["line 5", "transfer.widget.0.knots.1", "increase"]),
+        (knots("[[0, 1], [1, -1]]"), &["transfer.widget.0.knots.1", "negative"]),
+        (knots("[[0, 1], [nan, 1]]"), &["transfer.widget.0.knots.1", "finite"]),
+        (knots("[[0, 1], [1]]"), &["line 5", "2 numbers"]),
+        (window(""), &["line 5", "transfer.widget.0.window", "missing field `knots`"]),
+        (window("knots = [[1, 1], [0, 1]]"), &["line 5", "transfer.widget.0.window.knots.1", "increase"]),
+        (window("knots = [[0, 1], [1, 1]], direction = [0, 0]"), &["transfer.widget.0.window.direction", "zero"]),
+        (window("knots = [[0, 1], [1, 1]], period = 1"), &["line 5", "period", "unknown field"]),
+        ("[transfer]\nemission = \"bright\"\n".into(), &["line 2", "transfer.emission", "bright"]),
+        ("[lighting]\nambient = -1\n".into(), &["line 2", "lighting.ambient", "negative"]),
+        ("[lighting]\nspecular = inf\n".into(), &["lighting.specular", "finite"]),
+        ("[lighting]\nshininess = 0\n".into(), &["line 2", "lighting.shininess", "above 0"]),
+        ("[lighting]\ndirection = [0, 0, 0]\n".into(), &["line 2", "lighting.direction", "zero"]),
+        ("[lighting]\nspace = \"eye\"\n".into(), &["line 2", "lighting.space", "eye"]),
+        ("[lighting]\ncolor = [1, 1, 1]\n".into(), &["line 2", "lighting.color", "unknown field"]),
+        ("[silhouette]\nexponent = 0\n".into(), &["line 2", "silhouette.exponent", "above 0"]),
+        ("[silhouette]\nstrength = 1.5\n".into(), &["line 2", "silhouette.strength", "0..1"]),
+        ("[silhouette]\nmode = \"ink\"\n".into(), &["line 2", "silhouette.mode", "ink"]),
         ("[transfer]\nunits = \"data\"\n".into(), &["transfer", "neither"]),
         ("units = \"data\"\n".into(), &["units"]),
         ("[transfer]\nunits = \"si\"\n".into(), &["line 2", "transfer.units", "si"]),
@@ -142,4 +186,103 @@ fn bad_overrides_are_named_by_their_flag() {
         let error = Scene::parse(GAUSSIAN, &[set(key, value)]).expect_err(key).to_string();
         assert!(error.starts_with(&format!("--set {key}={value}")) && error.contains(part), "{error}");
     }
+}
+
+const WAVES: &str = r#"
+[[transfer.widget]]
+shape = "triangle"
+direction = [3, 4]
+offset = 0.1
+period = 0.3
+duty = 0.5
+color = [1, 0, 0]
+extinction = 2
+window = {direction = [0, 2], knots = [[0.1, 0.2], [0.9, 1]]}
+
+[[transfer.widget]]
+shape = "sinusoid"
+period = 0.25
+variant = "half"
+color = [0, 1, 0]
+extinction = 3
+
+[[transfer.widget]]
+shape = "ramp"
+direction = [1, -1]
+knots = [[-0.5, 0], [0.1, 1], [0.6, 0.25]]
+color = [0, 0, 1]
+extinction = 4
+scalar_range = [0.2, 0.8]
+"#;
+
+#[test]
+fn waves_ramps_and_windows_are_read_with_unit_directions() {
+    let scene = Scene::parse(WAVES, &[]).unwrap();
+    let [tents, half, ramp] = widgets(&scene) else { panic!("three widgets") };
+    let close = |got: [f64; 2], want: [f64; 2]| (0..2).all(|i| (got[i] - want[i]).abs() < 1e-15);
+    let WidgetShape::Triangle { direction, offset, period, duty } = tents.shape else { panic!("tents") };
+    assert!(close(direction, [0.6, 0.8]), "{direction:?}");
+    assert_eq!((offset, period, duty), (0.1, 0.3, 0.5));
+    let window = Window { direction: [0.0, 1.0], knots: vec![[0.1, 0.2], [0.9, 1.0]] };
+    assert_eq!(tents.window.as_ref(), Some(&window));
+    let variant = SinusoidVariant::Half;
+    let along_scalar = WidgetShape::Sinusoid { direction: [1.0, 0.0], offset: 0.0, period: 0.25, variant };
+    assert_eq!((&half.shape, &half.window), (&along_scalar, &None));
+    let WidgetShape::Ramp { direction, ref knots } = ramp.shape else { panic!("a ramp") };
+    let root = 0.5f64.sqrt();
+    assert!(close(direction, [root, -root]) && knots.len() == 3, "{:?}", ramp.shape);
+    // Neither square may leave f64's range.
+    let far = Scene::parse(&WAVES.replace("[3, 4]", "[3e300, 4e300]"), &[]).unwrap();
+    let WidgetShape::Triangle { direction, .. } = widgets(&far)[0].shape else { panic!("tents") };
+    assert!(close(direction, [0.6, 0.8]), "{direction:?}");
+}
+
+/// A scene in normalised units means, at every point, what the same numbers mean at the point's normalised place.
+#[test]
+fn normalized_units_keep_every_shape() {
+    let text = format!("units = \"normalized\"\n{WAVES}{}", GAUSSIAN.replace("[1, 2]", "[0.4, 0.5]"));
+    let scene = Scene::parse(&text, &[]).unwrap();
+    let choice = scene.transfer.as_ref().unwrap();
+    assert_eq!(choice.units, Units::Normalized);
+    let (scalar, gradient) = (Interval { min: 300.0, max: 700.0 }, Interval { min: -2e-3, max: 6e-3 });
+    let data = choice.resolve(scalar, gradient);
+    let (TransferFunction::Widgets(want), TransferFunction::Widgets(got)) = (&choice.function, &data) else {
+        panic!("widgets")
+    };
+    let (mut seen, mut shown) = ([0; 4], [0; 4]);
+    for i in 0..=40 {
+        for j in 0..=40 {
+            let (s, g) = ((f64::from(i) + 0.37) / 41.0, (f64::from(j) + 0.59) / 41.0);
+            let (in_s, in_g) = (scalar.min + s * scalar.length(), gradient.min + g * gradient.length());
+            for (k, (want, got)) in want.iter().zip(got).enumerate() {
+                let (a, b) = (want.extinction_at(s, g), got.extinction_at(in_s, in_g));
+                assert!((a - b).abs() < 1e-12 * want.extinction, "widget {k} at {s}, {g}: {a} {b}");
+                assert_eq!(want.supports(s, g), got.supports(in_s, in_g), "widget {k} at {s}, {g}");
+                seen[k] += usize::from(a > 0.0);
+                let planted = got.extinction_at(in_s + 1e-6 * scalar.length(), in_g);
+                shown[k] += usize::from((a - planted).abs() >= 1e-12 * want.extinction);
+            }
+        }
+    }
+    assert!(seen.iter().all(|&n| n > 100), "{seen:?}");
+    assert!((0..4).all(|k| shown[k] * 2 > seen[k]), "a shift by a millionth must show: {shown:?} of {seen:?}");
+}
+
+#[test]
+fn optics_are_read_and_have_defaults() {
+    let text = "[transfer]\nemission = \"unweighted\"\n[lighting]\ndirection = [0, 3, 4]\nspace = \"world\"\n\
+                [silhouette]\nmode = \"depth\"\nstrength = 0.5\n";
+    let scene = Scene::parse(text, &[]).unwrap();
+    assert!(scene.transfer.is_none(), "the default function emits so");
+    assert_eq!(scene.optics.emission, EmissionModel::Unweighted);
+    let light = scene.optics.lighting.unwrap();
+    assert_eq!((light.ambient, light.diffuse, light.specular, light.shininess), (0.3, 0.7, 0.2, 32.0));
+    assert!((light.direction - glam::DVec3::new(0.0, 0.6, 0.8)).length() < 1e-15 && light.space == LightSpace::World);
+    let silhouette = scene.optics.silhouette.unwrap();
+    assert_eq!((silhouette.exponent, silhouette.strength, silhouette.mode), (2.0, 0.5, SilhouetteMode::Depth));
+    let flags = [set("lighting.direction", "[0, 0, 2]"), set("silhouette.exponent", "4")];
+    let optics = Scene::parse(GAUSSIAN, &flags).unwrap().optics;
+    assert_eq!(optics.lighting.unwrap().direction, glam::DVec3::Z);
+    assert_eq!((optics.silhouette.unwrap().exponent, optics.silhouette.unwrap().mode), (4.0, SilhouetteMode::Opacity));
+    assert!(Scene::parse("[lighting]\n", &[]).unwrap().optics.lighting.is_some());
 }

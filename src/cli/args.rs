@@ -55,6 +55,9 @@ pub(super) struct SourceArgs {
     /// Tetrahedra a hexahedron is cut into; 5 for structured grids only
     #[arg(long, value_name = "N", default_value = "6")]
     pub split: Split,
+    /// Merge points at exactly one place, which closes the slits between blocks
+    #[arg(long)]
+    pub weld: bool,
 }
 
 /// Tetrahedra per hexahedron.
@@ -143,6 +146,21 @@ pub(super) struct SceneArgs {
     /// Depth where the picture begins, data units [default: 1e-4 of the mesh's diagonal]
     #[arg(allow_hyphen_values = true, long, value_name = "DEPTH")]
     pub near: Option<f64>,
+    /// What colours are multiplied by: the extinction, or one (Song et al. 2009) [default: weighted]
+    #[arg(long, value_name = "MODEL")]
+    pub emission: Option<Emission>,
+    /// Light the gradients: vector towards the light; --set lighting.KEY has the rest
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse::vector, allow_hyphen_values = true)]
+    pub light: Option<[f64; 3]>,
+    /// What the light is fixed to; lights the gradients too [default: view]
+    #[arg(long, value_name = "SPACE")]
+    pub light_space: Option<LightSpace>,
+    /// Emphasise outlines: exponent, above 0
+    #[arg(long, value_name = "P")]
+    pub silhouette: Option<f64>,
+    /// What outlines modulate; emphasises them too [default: opacity]
+    #[arg(long, value_name = "MODE")]
+    pub silhouette_mode: Option<SilhouetteMode>,
     /// Any scene key, as transfer.widget.0.extinction=3 (list items count from 0); may be repeated
     #[arg(long, value_name = "KEY=VALUE", value_parser = parse::assignment)]
     pub set: Vec<(String, String)>,
@@ -198,6 +216,28 @@ impl ChoiceArgs {
             },
         }
     }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Emission {
+    Weighted,
+    Unweighted,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum LightSpace {
+    /// The camera: x right, y up, z towards the viewer
+    View,
+    /// The mesh
+    World,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum SilhouetteMode {
+    /// Each cell's opacity and colour
+    Opacity,
+    /// The optical depth
+    Depth,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]

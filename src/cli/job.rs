@@ -57,6 +57,15 @@ fn overrides(args: &SceneArgs) -> Vec<Override> {
     add("azimuth", "camera.azimuth", number(args.azimuth));
     add("elevation", "camera.elevation", number(args.elevation));
     add("near", "camera.near", number(args.near));
+    // The names on the command line are the scene file's.
+    fn name<T: clap::ValueEnum>(choice: Option<T>) -> Option<String> {
+        choice?.to_possible_value().map(|value| toml::Value::from(value.get_name()).to_string())
+    }
+    add("emission", "transfer.emission", name(args.emission));
+    add("light", "lighting.direction", vector(args.light));
+    add("light-space", "lighting.space", name(args.light_space));
+    add("silhouette", "silhouette.exponent", number(args.silhouette));
+    add("silhouette-mode", "silhouette.mode", name(args.silhouette_mode));
     for (key, value) in &args.set {
         list.push(Override { key: key.clone(), value: value.clone(), origin: format!("--set {key}={value}") });
     }

@@ -5,7 +5,7 @@ use super::output::note;
 use super::progress::step;
 use crate::error::Result;
 use crate::mesh::{self, ArrayChoice, Mesh, ReadOptions};
-use crate::tet::{Census, FieldChoice, HexSplit, TetMesh};
+use crate::tet::{BuildOptions, Census, FieldChoice, HexSplit, TetMesh};
 
 /// Reads the arrays that `field` needs, all of them where it is `None`.
 pub(super) fn mesh(source: &SourceArgs, arrays: ArrayChoice) -> Result<Mesh> {
@@ -23,11 +23,12 @@ pub(super) fn mesh(source: &SourceArgs, arrays: ArrayChoice) -> Result<Mesh> {
 /// Cuts `mesh` into tetrahedra.
 pub(super) fn cut(mesh: Mesh, source: &SourceArgs, field: Option<&str>) -> Result<(TetMesh, Census)> {
     let choice = field.map_or_else(FieldChoice::default, FieldChoice::parse);
-    let split = match source.split {
+    let hex_split = match source.split {
         Split::Five => HexSplit::FiveAlternating,
         Split::Six => HexSplit::Six,
     };
-    step("building", || TetMesh::new(mesh, &choice, split))
+    let options = BuildOptions { hex_split, weld: source.weld };
+    step("building", || TetMesh::new(mesh, &choice, options))
 }
 
 /// Both, telling on stderr what was left out or guessed.

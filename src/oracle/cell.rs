@@ -26,6 +26,8 @@ pub struct Cell {
     corners: [DVec3; 4],
     /// (scalar, gradient magnitude) at the corners.
     fields: [[f64; 2]; 4],
+    /// Gradient vectors at the corners, view axes; where they are needed.
+    gradients: Option<[DVec3; 4]>,
     faces: [Face; 4],
 }
 
@@ -44,8 +46,14 @@ pub struct Crossing {
 
 impl Cell {
     /// `ids` are the mesh's vertices, `corners` their positions in view axes (a left-handed system), `fields` their
-    /// scalar and gradient magnitude. Positively oriented in data space.
-    pub fn new(id: u32, ids: [u32; 4], corners: [DVec3; 4], fields: [[f64; 2]; 4]) -> Self {
+    /// scalar and gradient magnitude, `gradients` their gradient vectors in view axes. Positively oriented in data space.
+    pub fn new(
+        id: u32,
+        ids: [u32; 4],
+        corners: [DVec3; 4],
+        fields: [[f64; 2]; 4],
+        gradients: Option<[DVec3; 4]>,
+    ) -> Self {
         let faces = FACES.map(|face| {
             let mut vertices = face;
             vertices.sort_unstable_by_key(|&v| ids[v]);
@@ -55,7 +63,7 @@ impl Cell {
             // Counter-clockwise in data space is clockwise in view axes, where z points away from the eye.
             Face { vertices, normal, offset: normal.dot(a), outward: if even { -1.0 } else { 1.0 } }
         });
-        Self { id, corners, fields, faces }
+        Self { id, corners, fields, gradients, faces }
     }
 
     /// The part of `ray` beyond `near` that lies inside; `None` where it has no length.
@@ -87,32 +95,46 @@ impl Cell {
 
     /// (scalar, gradient magnitude) where the ray enters and leaves.
     pub fn fields_at_ends(&self, ray: &Ray, crossing: &Crossing) -> [[f64; 2]; 2] {
-        let point = |t: f64| ray.origin + t * ray.direction;
-        let front = match crossing.enter_face {
-            Some(face) => self.fields_on_face(face, point(crossing.enter)),
-            None => self.fields_inside(point(crossing.enter)),
-        };
-        [front, self.fields_on_face(crossing.exit_face, point(crossing.exit))]
+        self.weights_at_ends(ray, crossing).map(|weights| self.mix(&weights))
     }
 
-    /// Interpolates in the face's triangle, which stays well conditioned where the cell is flat.
-    fn fields_on_face(&self, face: u8, point: DVec3) -> [f64; 2] {
+    /// The gradient, interpolated linearly, halfway between entry and exit; `None` where the corners have none.
+    pub fn gradient_midway(&self, ray: &Ray, crossing: &Crossing) -> Option<DVec3> {
+        let gradients = self.gradients?;
+        // What is linear is in the middle the mean of its ends.
+        let ends = self.weights_at_ends(ray, crossing);
+        Some(ends.iter().flatten().map(|&(v, weight)| 0.5 * weight * gradients[v]).sum())
+    }
+
+    /// Corners and their weights where the ray enters and leaves.
+    fn weights_at_ends(&self, ray: &Ray, crossing: &Crossing) -> [[(usize, f64); 4]; 2] {
+        let point = |t: f64| ray.origin + t * ray.direction;
+        let front = match crossing.enter_face {
+            Some(face) => self.weights_on_face(face, point(crossing.enter)),
+            None => self.weights_inside(point(crossing.enter)),
+        };
+        [front, self.weights_on_face(crossing.exit_face, point(crossing.exit))]
+    }
+
+    /// In the face's triangle, which stays well conditioned where the cell is flat.
+    fn weights_on_face(&self, face: u8, point: DVec3) -> [(usize, f64); 4] {
         let Face { vertices, normal, .. } = self.faces[usize::from(face)];
         let [a, b, c] = vertices.map(|v| self.corners[v]);
         let area = normal.length_squared();
         let toward_b = (point - a).cross(c - a).dot(normal) / area;
         let toward_c = (b - a).cross(point - a).dot(normal) / area;
-        self.mix(&[(vertices[0], 1.0 - toward_b - toward_c), (vertices[1], toward_b), (vertices[2], toward_c)])
+        let opposite = (usize::from(face), 0.0);
+        [(vertices[0], 1.0 - toward_b - toward_c), (vertices[1], toward_b), (vertices[2], toward_c), opposite]
     }
 
-    /// Interpolates by the distances from the four faces.
-    fn fields_inside(&self, point: DVec3) -> [f64; 2] {
+    /// By the distances from the four faces.
+    fn weights_inside(&self, point: DVec3) -> [(usize, f64); 4] {
         let mut weights = [(0, 0.0); 4];
         for (v, face) in self.faces.iter().enumerate() {
             let height = face.normal.dot(self.corners[v]) - face.offset;
             weights[v] = (v, (face.normal.dot(point) - face.offset) / height);
         }
-        self.mix(&weights)
+        weights
     }
 
     /// The weighted sum, kept within the corners' range, which rounding could leave.

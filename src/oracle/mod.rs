@@ -9,11 +9,13 @@
 //!
 //! It shares no formula with the shaders. It also renders pictures where no graphics driver is found.
 
+pub mod cases;
 mod cell;
 mod cuts;
 mod lens;
 mod rule;
 pub mod segment;
+mod shade;
 mod view;
 
 use std::fmt;
@@ -25,6 +27,7 @@ use crate::image::Image;
 use crate::renderer::{Frame, PassTime, Rendered, Renderer, Stats};
 use crate::tet::TetMesh;
 
+pub use shade::Shade;
 use view::Composition;
 pub use view::View;
 
@@ -59,7 +62,7 @@ impl Oracle {
     pub fn view(&self, frame: &Frame<'_>) -> Result<View<'_>> {
         match frame.size {
             [0, _] | [_, 0] => Err(Error::Asked("the image has no pixels: ask for at least 1x1".into())),
-            size => Ok(View::new(&self.mesh, frame.camera, size)),
+            size => Ok(View::new(&self.mesh, frame.camera, frame.optics, size)),
         }
     }
 

@@ -6,8 +6,9 @@ use rayon::prelude::*;
 use crate::image::Image;
 use crate::oracle::cell::{Cell, Crossing};
 use crate::oracle::lens::Lens;
-use crate::oracle::segment::{Segment, integrate};
-use crate::scene::{Camera, Projection, TransferFunction};
+use crate::oracle::segment::{Medium, Segment};
+use crate::oracle::shade::{Illumination, Shade};
+use crate::scene::{Camera, EmissionModel, Optics, Projection, TransferFunction};
 use crate::space::Ray;
 use crate::tet::TetMesh;
 
@@ -31,7 +32,7 @@ pub enum Composition<'a> {
     ByKey(&'a [f64]),
 }
 
-/// What one camera sees of one mesh; answers for any transfer function.
+/// What one camera sees of one mesh by some optics; answers for any transfer function.
 #[derive(Debug)]
 pub struct View<'a> {
     mesh: &'a TetMesh,
@@ -40,6 +41,10 @@ pub struct View<'a> {
     near: f64,
     /// Vertices in view axes, data units. Rotated once each, so that cells share their corners to the bit.
     vertices: Vec<DVec3>,
+    emission: EmissionModel,
+    illumination: Illumination,
+    /// Gradient vectors at the vertices, view axes; empty where the optics need none.
+    gradients: Vec<DVec3>,
     /// Cells of tile `i`: `members[starts[i]..starts[i + 1]]`, by id.
     starts: Vec<usize>,
     members: Vec<u32>,
@@ -55,13 +60,15 @@ struct Hit {
 
 impl<'a> View<'a> {
     /// Sorts the cells into tiles of the image.
-    pub fn new(mesh: &'a TetMesh, camera: &Camera, size: [u32; 2]) -> Self {
+    pub fn new(mesh: &'a TetMesh, camera: &Camera, optics: &Optics, size: [u32; 2]) -> Self {
         let basis = camera.basis();
+        let in_view = |p: DVec3| DVec3::new(p.dot(basis.right), p.dot(basis.up), p.dot(basis.forward));
         let eye_in_mesh = mesh.mesh_from_data(camera.eye);
-        let vertices = mesh.vertices.par_iter().map(|&vertex| {
-            let p = (vertex - eye_in_mesh) * mesh.data_per_mesh;
-            DVec3::new(p.dot(basis.right), p.dot(basis.up), p.dot(basis.forward))
-        });
+        let vertices = mesh.vertices.par_iter().map(|&vertex| in_view((vertex - eye_in_mesh) * mesh.data_per_mesh));
+        let gradients = match optics.uses_gradients() {
+            true => mesh.vertex_gradients().into_par_iter().map(in_view).collect(),
+            false => Vec::new(),
+        };
         let near = camera.near_depth(mesh.bounds_in_data().diagonal());
         let near = match camera.projection {
             // Nothing is seen behind the eye, whatever was asked.
@@ -74,6 +81,9 @@ impl<'a> View<'a> {
             size,
             near,
             vertices: vertices.collect(),
+            emission: optics.emission,
+            illumination: Illumination::new(optics, &basis, mesh.gradient_range().max),
+            gradients,
             starts: Vec::new(),
             members: Vec::new(),
         };
@@ -154,7 +164,8 @@ impl<'a> View<'a> {
     fn cell(&self, tet: u32) -> Cell {
         let ids = self.mesh.tets[tet as usize];
         let fields = ids.map(|v| [self.mesh.scalar[v as usize], self.mesh.gradient_magnitude[v as usize]]);
-        Cell::new(tet, ids, ids.map(|v| self.vertices[v as usize]), fields)
+        let gradients = (!self.gradients.is_empty()).then(|| ids.map(|v| self.gradients[v as usize]));
+        Cell::new(tet, ids, ids.map(|v| self.vertices[v as usize]), fields, gradients)
     }
 
     /// The picture over `background` (linear, premultiplied). `done` hears the finished fraction, from any thread.
@@ -219,7 +230,7 @@ impl<'a> View<'a> {
         sort(&mut hits, &cells, composition);
         for run in hits.chunk_by(|a, b| a.pixel == b.pixel) {
             let pixel = run[0].pixel as usize;
-            pixels[pixel] = compose(&rays[pixel], run, &cells, transfer);
+            pixels[pixel] = self.compose(&rays[pixel], run, &cells, transfer);
         }
         pixels
     }
@@ -246,7 +257,7 @@ impl<'a> View<'a> {
             }
         }
         sort(&mut hits, &cells, Composition::AlongRay);
-        over(compose(&ray, &hits, &cells, transfer), background)
+        over(self.compose(&ray, &hits, &cells, transfer), background)
     }
 
     /// The largest change of any channel when `position` moves by `shift` pixels in eight directions: near silhouettes
@@ -260,6 +271,30 @@ impl<'a> View<'a> {
             worst = (0..4).fold(worst, |m, c| m.max((there[c] - here[c]).abs()));
         }
         worst
+    }
+
+    /// Colour and opacity of a ray's segments, front to back.
+    fn compose(&self, ray: &Ray, hits: &[Hit], cells: &[Cell], transfer: &TransferFunction) -> [f64; 4] {
+        let per_depth = ray.direction.length();
+        let (mut color, mut transmittance) = ([0.0; 3], 1.0);
+        for hit in hits {
+            let cell = &cells[hit.cell as usize];
+            let [front, back] = cell.fields_at_ends(ray, &hit.crossing);
+            let length = (hit.crossing.exit - hit.crossing.enter) * per_depth;
+            let shade = match cell.gradient_midway(ray, &hit.crossing) {
+                Some(gradient) => self.illumination.shade(gradient, ray.direction),
+                None => Shade::NONE,
+            };
+            let medium = Medium { transfer, emission: self.emission, shade };
+            let Segment { tau, color: emitted } =
+                medium.integrate(front, back, length, SEGMENT_TOLERANCE / transmittance);
+            color = std::array::from_fn(|c| color[c] + transmittance * emitted[c]);
+            transmittance *= (-tau).exp();
+            if transmittance < OPAQUE {
+                break;
+            }
+        }
+        [color[0], color[1], color[2], 1.0 - transmittance]
     }
 }
 
@@ -283,24 +318,6 @@ fn sort(hits: &mut [Hit], cells: &[Cell], composition: Composition<'_>) {
             a.pixel.cmp(&b.pixel).then(key(a).total_cmp(&key(b))).then(id(b).cmp(&id(a)))
         }),
     }
-}
-
-/// Colour and opacity of a ray's segments, front to back.
-fn compose(ray: &Ray, hits: &[Hit], cells: &[Cell], transfer: &TransferFunction) -> [f64; 4] {
-    let per_depth = ray.direction.length();
-    let (mut color, mut transmittance) = ([0.0; 3], 1.0);
-    for hit in hits {
-        let [front, back] = cells[hit.cell as usize].fields_at_ends(ray, &hit.crossing);
-        let length = (hit.crossing.exit - hit.crossing.enter) * per_depth;
-        let Segment { tau, color: emitted } =
-            integrate(transfer, front, back, length, SEGMENT_TOLERANCE / transmittance);
-        color = std::array::from_fn(|c| color[c] + transmittance * emitted[c]);
-        transmittance *= (-tau).exp();
-        if transmittance < OPAQUE {
-            break;
-        }
-    }
-    [color[0], color[1], color[2], 1.0 - transmittance]
 }
 
 /// `front` (premultiplied) before `background`.

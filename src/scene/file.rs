@@ -7,10 +7,9 @@ use serde::Deserialize;
 
 use super::choice::{CameraChoice, Opening, Scene, TransferChoice, Units, Viewpoint};
 use super::document::{Document, Problem};
-use super::optics::Optics;
-use super::shape::WidgetShape;
+use super::optics_keys::{EmissionKey, LightingKeys, SilhouetteKeys, check_optics};
 use super::transfer::{Curve, CurveNode, TransferFunction};
-use super::widget::Widget;
+use super::widget_keys::{WidgetKeys, check_widget};
 use crate::error::Result;
 
 /// At most this many widgets: what the shaders hold.
@@ -20,7 +19,7 @@ const MAX_SIDE: u32 = 32_768;
 /// Most pixels of an image: 4 GiB at 16 bytes each.
 const MAX_PIXELS: u64 = 1 << 28;
 
-type Checked<T> = Result<T, Problem>;
+pub(super) type Checked<T> = Result<T, Problem>;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "snake_case")]
@@ -33,6 +32,8 @@ struct SceneKeys {
     #[serde(default)]
     field: FieldKeys,
     transfer: Option<TransferKeys>,
+    lighting: Option<LightingKeys>,
+    silhouette: Option<SilhouetteKeys>,
 }
 
 #[derive(Deserialize, Default)]
@@ -75,6 +76,7 @@ struct FieldKeys {
 #[serde(deny_unknown_fields)]
 struct TransferKeys {
     units: Option<UnitsKey>,
+    emission: Option<EmissionKey>,
     widget: Option<Vec<WidgetKeys>>,
     curve: Option<CurveKeys>,
 }
@@ -88,26 +90,6 @@ enum UnitsKey {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct WidgetKeys {
-    shape: ShapeKey,
-    center: Option<Numbers<2>>,
-    sigma: Option<Numbers<2>>,
-    angle: Option<f64>,
-    color: Color,
-    extinction: f64,
-    scalar_range: Option<Numbers<2>>,
-    gradient_range: Option<Numbers<2>>,
-}
-
-#[derive(Deserialize, Clone, Copy, PartialEq, Eq)]
-#[serde(rename_all = "snake_case")]
-enum ShapeKey {
-    Uniform,
-    Gaussian,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
 struct CurveKeys {
     points: Vec<Vec<f64>>,
 }
@@ -115,7 +97,7 @@ struct CurveKeys {
 /// Exactly `N` numbers; serde's arrays would ignore further ones.
 #[derive(Deserialize, Clone, Copy)]
 #[serde(try_from = "Vec<f64>")]
-struct Numbers<const N: usize>([f64; N]);
+pub(super) struct Numbers<const N: usize>(pub [f64; N]);
 
 impl<const N: usize> TryFrom<Vec<f64>> for Numbers<N> {
     type Error = String;
@@ -128,7 +110,7 @@ impl<const N: usize> TryFrom<Vec<f64>> for Numbers<N> {
 /// Linear numbers, or sRGB as `#rrggbb` or `#rrggbbaa`.
 #[derive(Deserialize, Clone)]
 #[serde(untagged, expecting = "a colour is [r, g, b], linear, or \"#rrggbb\", sRGB")]
-enum Color {
+pub(super) enum Color {
     Linear(Vec<f64>),
     Srgb(String),
 }
@@ -146,7 +128,7 @@ impl Color {
         }
     }
 
-    fn rgb(&self, key: &str) -> Checked<[f64; 3]> {
+    pub(super) fn rgb(&self, key: &str) -> Checked<[f64; 3]> {
         let channels = self.linear(key)?;
         let count = channels.len();
         channels.try_into().map_err(|_| Problem::new(key, format!("3 channels are needed, not {count}")))
@@ -199,19 +181,16 @@ fn check_scene(keys: SceneKeys) -> Checked<Scene> {
     if keys.field.scalar.as_deref() == Some("") {
         return Err(Problem::new("field.scalar", "the name is empty: leave the key out for the first field"));
     }
+    let emission = keys.transfer.as_ref().and_then(|transfer| transfer.emission);
+    let optics = check_optics(emission, keys.lighting.as_ref(), keys.silhouette.as_ref())?;
     let transfer = match (keys.transfer, keys.units) {
+        // How the default function emits.
+        (Some(TransferKeys { units: None, emission: Some(_), widget: None, curve: None }), None) => None,
         (Some(transfer), units) => Some(check_transfer(transfer, units)?),
         (None, Some(_)) => return Err(Problem::new("units", "there is no transfer function that they could apply to")),
         (None, None) => None,
     };
-    Ok(Scene {
-        camera: check_camera(&keys.camera)?,
-        size,
-        background,
-        field: keys.field.scalar,
-        transfer,
-        optics: Optics::PLAIN,
-    })
+    Ok(Scene { camera: check_camera(&keys.camera)?, size, background, field: keys.field.scalar, transfer, optics })
 }
 
 fn check_side(key: &str, value: i64) -> Checked<u32> {
@@ -324,49 +303,6 @@ fn check_transfer(keys: TransferKeys, outer: Option<UnitsKey>) -> Checked<Transf
     Ok(TransferChoice { units, function })
 }
 
-fn check_widget(index: usize, keys: &WidgetKeys) -> Checked<Widget> {
-    let key = |name: &str| format!("transfer.widget.{index}.{name}");
-    let shape = match keys.shape {
-        ShapeKey::Uniform => {
-            let given =
-                [("center", keys.center.is_some()), ("sigma", keys.sigma.is_some()), ("angle", keys.angle.is_some())];
-            if let Some((name, _)) = given.iter().find(|(_, given)| *given) {
-                return Err(Problem::new(key(name), "a uniform widget has none: use scalar_range and gradient_range"));
-            }
-            WidgetShape::Uniform
-        }
-        ShapeKey::Gaussian => {
-            let needed = |name: &str, value: Option<Numbers<2>>| {
-                value.map(|v| v.0).ok_or_else(|| Problem::new(key(name), "a gaussian widget needs it"))
-            };
-            let (center, sigma) = (needed("center", keys.center)?, needed("sigma", keys.sigma)?);
-            finite(&key("center"), &center)?;
-            finite(&key("sigma"), &sigma)?;
-            if sigma.iter().any(|s| *s <= 0.0) {
-                return Err(Problem::new(key("sigma"), format!("both must be above 0, not {sigma:?}")));
-            }
-            finite(&key("angle"), keys.angle.as_slice())?;
-            WidgetShape::Gaussian { center, sigma, angle: keys.angle.unwrap_or(0.0).to_radians() }
-        }
-    };
-    let range = |name: &str, value: Option<Numbers<2>>| {
-        let Some(Numbers([low, high])) = value else { return Ok(None) };
-        finite(&key(name), &[low, high])?;
-        if low > high {
-            return Err(Problem::new(key(name), format!("the lower end comes first: [{high}, {low}]")));
-        }
-        Ok(Some([low, high]))
-    };
-    Ok(Widget {
-        shape,
-        color: keys.color.rgb(&key("color"))?,
-        extinction: check_extinction(&key("extinction"), keys.extinction)?,
-        scalar_range: range("scalar_range", keys.scalar_range)?,
-        gradient_range: range("gradient_range", keys.gradient_range)?,
-        window: None,
-    })
-}
-
 fn check_curve(keys: &CurveKeys) -> Checked<Curve> {
     if keys.points.is_empty() {
         return Err(Problem::new("transfer.curve.points", "at least one point [s, r, g, b, extinction] is needed"));
@@ -390,14 +326,14 @@ fn check_curve(keys: &CurveKeys) -> Checked<Curve> {
     Ok(Curve { nodes })
 }
 
-fn check_extinction(key: &str, value: f64) -> Checked<f64> {
+pub(super) fn check_extinction(key: &str, value: f64) -> Checked<f64> {
     if value.is_finite() && value >= 0.0 {
         return Ok(value);
     }
     Err(Problem::new(key, format!("an extinction must be finite and not negative, not {value}")))
 }
 
-fn finite(key: &str, values: &[f64]) -> Checked<()> {
+pub(super) fn finite(key: &str, values: &[f64]) -> Checked<()> {
     match values.iter().find(|v| !v.is_finite()) {
         Some(bad) => Err(Problem::new(key, format!("must be finite, not {bad}"))),
         None => Ok(()),

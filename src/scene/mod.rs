@@ -5,11 +5,13 @@ mod choice;
 mod document;
 mod file;
 mod optics;
+mod optics_keys;
 mod resolve;
 mod shape;
 mod suggest;
 mod transfer;
 mod widget;
+mod widget_keys;
 
 pub use camera::{Basis, Camera, Projection};
 pub use choice::{CameraChoice, Opening, Scene, TransferChoice, Units, Viewpoint};

@@ -4,14 +4,30 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::cells::{Cell, Cells};
-use super::census::{Census, Finding, Tally, count_kinds};
+use super::census::{Census, Tally, count_kinds};
 use super::field::{Field, FieldChoice};
 use super::geometry::orientation;
 use super::split::{HexSplit, split, split_in_five};
+use super::weld::coincident;
 use super::{MAX_TETS, TetMesh};
 use crate::error::{Error, Result};
 use crate::mesh::{Mesh, ReadNote};
 use crate::space::Bounds;
+
+/// How a mesh is made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BuildOptions {
+    /// How hexahedra are cut.
+    pub hex_split: HexSplit,
+    /// Merge points at exactly one place, which then have the first one's value: closes slits between blocks.
+    pub weld: bool,
+}
+
+impl From<HexSplit> for BuildOptions {
+    fn from(hex_split: HexSplit) -> Self {
+        Self { hex_split, ..Self::default() }
+    }
+}
 
 impl TetMesh {
     /// Cuts a mesh's cells into tetrahedra and computes what a renderer needs of them.
@@ -20,33 +36,42 @@ impl TetMesh {
     /// cut from its smallest point index (see [`HexSplit`] for the alternative on structured grids). Left out and
     /// counted in the [`Census`]: blanked cells, cells where the field is not finite, tetrahedra that name a node
     /// twice, tetrahedra whose volume cannot be told from zero in f64 (the sign of a kept one's is certain), points
-    /// that nothing uses. Negative tetrahedra get two vertices exchanged. Points at one place are not merged.
+    /// that nothing uses. Negative tetrahedra get two vertices exchanged. Points at one place are not merged unless
+    /// [`BuildOptions::weld`] asks for it.
     ///
     /// # Errors
     /// [`Error::Asked`] where there is no such field, or where five tetrahedra are asked for cells that are not a
     /// structured grid's; [`Error::Mesh`] where the mesh contradicts itself, holds coordinates that are not finite,
     /// or where nothing is left, or more than can be indexed.
-    pub fn new(mesh: Mesh, choice: &FieldChoice, hex_split: HexSplit) -> Result<(Self, Census)> {
+    pub fn new(mesh: Mesh, choice: &FieldChoice, options: impl Into<BuildOptions>) -> Result<(Self, Census)> {
+        Self::build(mesh, choice, options.into())
+    }
+
+    fn build(mesh: Mesh, choice: &FieldChoice, options: BuildOptions) -> Result<(Self, Census)> {
+        let BuildOptions { hex_split, weld } = options;
         let Mesh { points, topology, arrays, available, notes } = mesh;
-        let cells = Cells::new(&topology, points.len())?;
+        let mut cells = Cells::new(&topology, points.len())?;
         if hex_split == HexSplit::FiveAlternating && !cells.is_structured() {
             return Err(Error::Asked(
                 "five tetrahedra a hexahedron need a structured grid, and this mesh has explicit cells: ask for six"
                     .into(),
             ));
         }
+        let merged = if weld { cells.weld(&points) } else { Tally::default() };
         let field = Field::select(arrays, &available, choice, &cells, points.len())?;
         let mut census = Census {
             field: field.name.clone(),
             points: points.len() as u64,
             cells: count_kinds(&cells),
+            merged_points: merged.finding("point"),
             blanked_cells: cells.blanked().finding("cell"),
             notes: notes.into_iter().map(note_text).chain(field.notes.iter().cloned()).collect(),
             ..Census::default()
         };
         let cut = Cutter { cells: &cells, points: &points, field: &field, hex_split }.cut(&mut census)?;
+        let merged = cells.merged_into();
         drop(topology);
-        let mesh = compact(cut, &points, field, &mut census)?;
+        let mesh = compact(cut, &points, &merged, field, &mut census)?;
         Ok((mesh, census))
     }
 }
@@ -235,7 +260,7 @@ fn names_twice([a, b, c, d]: [u32; 4]) -> bool {
 }
 
 /// Removes unused points, keeping the order of the others, and computes the gradients.
-fn compact(cut: Cut, points: &[DVec3], field: Field, census: &mut Census) -> Result<TetMesh> {
+fn compact(cut: Cut, points: &[DVec3], merged_into: &[u32], field: Field, census: &mut Census) -> Result<TetMesh> {
     let Cut { chunks, used, frame } = cut;
     let mut unused = Tally::default();
     let mut new_number = vec![0_u32; points.len()];
@@ -244,7 +269,7 @@ fn compact(cut: Cut, points: &[DVec3], field: Field, census: &mut Census) -> Res
         if used[i] {
             *number = kept.len() as u32;
             kept.push(i);
-        } else {
+        } else if merged_into.get(i).is_none_or(|&first| first as usize == i) {
             unused.add(i);
         }
     }
@@ -271,16 +296,4 @@ fn compact(cut: Cut, points: &[DVec3], field: Field, census: &mut Census) -> Res
         )));
     }
     Ok(mesh)
-}
-
-/// Points at exactly an earlier point's place.
-fn coincident(kept: &[usize], points: &[DVec3]) -> Finding {
-    // Adding 0 makes -0 and 0 the same bits; order among the keys means nothing, equality does.
-    let key = |i: usize| (points[i] + DVec3::ZERO).to_array().map(f64::to_bits);
-    let mut keyed: Vec<([u64; 3], usize)> = kept.par_iter().map(|&i| (key(i), i)).collect();
-    keyed.par_sort_unstable();
-    let twins = || keyed.windows(2).filter(|pair| pair[0].0 == pair[1].0);
-    let first = twins().min_by_key(|pair| pair[1].1);
-    let first = first.map(|pair| format!("point {}, where point {} is", pair[1].1, pair[0].1));
-    Finding::of(twins().count() as u64, first)
 }

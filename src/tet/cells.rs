@@ -1,10 +1,15 @@
 //! The cells of a topology, checked, one after another or in parallel chunks.
 
+use glam::DVec3;
+
 use super::census::Tally;
+use super::weld::first_at_place;
 use crate::error::{Error, Result};
 use crate::mesh::{CellKind, Topology};
 
 const CHUNK: usize = 1 << 15;
+/// Of the largest cell, a hexahedron.
+const MOST_NODES: usize = 8;
 
 /// One volume cell.
 pub(super) struct Cell<'a> {
@@ -21,6 +26,8 @@ pub(super) struct Cells<'a> {
     topology: &'a Topology,
     /// Where the nodes of every `CHUNK`-th explicit cell begin.
     starts: Vec<usize>,
+    /// What each point is merged into, itself if into none; empty where nothing is merged.
+    merged_into: Vec<u32>,
 }
 
 impl<'a> Cells<'a> {
@@ -62,7 +69,19 @@ impl<'a> Cells<'a> {
                 }
             }
         }
-        Ok(Self { topology, starts })
+        Ok(Self { topology, starts, merged_into: Vec::new() })
+    }
+
+    /// Merges points at exactly one place: from now on cells name the first of them. Which points are gone.
+    pub(super) fn weld(&mut self, points: &[DVec3]) -> Tally {
+        let (merged_into, merged) = first_at_place(points, self);
+        self.merged_into = merged_into;
+        merged
+    }
+
+    /// What each point was merged into, itself if into none; empty where nothing was merged.
+    pub(super) fn merged_into(self) -> Vec<u32> {
+        self.merged_into
     }
 
     /// Number of cells, blanked ones counted.
@@ -93,7 +112,9 @@ impl<'a> Cells<'a> {
                 for index in range {
                     let kind = kinds[index];
                     let end = at + kind.node_count();
-                    visit(Cell { index, kind, nodes: &nodes[at..end], odd: false });
+                    let mut named = [0; MOST_NODES];
+                    let nodes = self.named(&nodes[at..end], &mut named);
+                    visit(Cell { index, kind, nodes, odd: false });
                     at = end;
                 }
             }
@@ -101,11 +122,23 @@ impl<'a> Cells<'a> {
                 for index in range {
                     let (nodes, odd) = structured_nodes(index, *points);
                     if !is_blank(&nodes, blank) {
-                        visit(Cell { index, kind: CellKind::Hexahedron, nodes: &nodes, odd });
+                        let mut named = [0; MOST_NODES];
+                        visit(Cell { index, kind: CellKind::Hexahedron, nodes: self.named(&nodes, &mut named), odd });
                     }
                 }
             }
         }
+    }
+
+    /// The nodes by the points that they are merged into.
+    fn named<'n>(&self, nodes: &'n [u32], buffer: &'n mut [u32; MOST_NODES]) -> &'n [u32] {
+        if self.merged_into.is_empty() {
+            return nodes;
+        }
+        for (named, &node) in buffer.iter_mut().zip(nodes) {
+            *named = self.merged_into[node as usize];
+        }
+        &buffer[..nodes.len()]
     }
 
     /// Cells that blanking leaves out.

@@ -84,6 +84,8 @@ pub struct Census {
     pub tets: u64,
     /// Points that no kept tetrahedron uses.
     pub unused_points: Finding,
+    /// Points merged, because that was asked for, with an earlier one at exactly their place.
+    pub merged_points: Finding,
     /// Used points at exactly the position of an earlier used point; they are not merged.
     pub coincident_points: Finding,
     /// What the reader left out or guessed and how the field was made, one sentence each.
@@ -134,6 +136,9 @@ impl fmt::Display for Census {
         writeln!(f, "{:<38}  {}", "field", self.field)?;
         write_count(f, "points", self.points)?;
         write_finding(f, "  used by no tetrahedron: removed", &self.unused_points)?;
+        if self.merged_points.count > 0 {
+            write_finding(f, "  at an earlier point's place: merged", &self.merged_points)?;
+        }
         write_finding(f, "  at an earlier point's place: kept", &self.coincident_points)?;
         for kind in &self.cells {
             write_count(f, kind.kind, kind.count)?;

@@ -12,10 +12,12 @@ mod gradient;
 mod histogram;
 mod split;
 mod topology;
+mod weld;
 
 use glam::DVec3;
 
 pub use self::adjacency::{Adjacency, FACES};
+pub use self::build::BuildOptions;
 pub use self::census::{Census, Finding, KindCount};
 pub use self::field::FieldChoice;
 pub(crate) use self::geometry::is_positive;

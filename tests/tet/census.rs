@@ -3,7 +3,7 @@
 use glam::DVec3;
 use tetralux::Error;
 use tetralux::mesh::{CellKind, Mesh, ReadNote, Topology};
-use tetralux::tet::{FieldChoice, Finding, HexSplit, TetMesh};
+use tetralux::tet::{Adjacency, BuildOptions, FieldChoice, Finding, HexSplit, NO_TET, TetMesh};
 
 use crate::support::{build, cells_of, grid, grid_points, six_volumes, volume_in_data};
 
@@ -67,6 +67,49 @@ fn coincident_points_are_counted_and_kept() {
     let (mesh, census) = build(cells_of(points, &tets));
     assert_eq!(found(&census.coincident_points), (3, Some("point 4, where point 0 is")));
     assert_eq!(mesh.vertices.len(), 8);
+}
+
+#[test]
+fn coincident_points_are_merged_where_that_is_asked_for() {
+    let mut points = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+    points.extend([DVec3::new(-0.0, 0.0, 0.0), DVec3::X, DVec3::Y, -DVec3::Z, DVec3::splat(7.0)]);
+    let tets = [vec![0, 1, 2, 3], vec![4, 6, 5, 7]].map(|t| (CellKind::Tetrahedron, t));
+    let mut mesh = cells_of(points, &tets);
+    mesh.arrays[0].values = vec![0.0, 1.0, 2.0, 4.0, 50.0, 60.0, 70.0, -4.0, 9.0];
+    let options = BuildOptions { weld: true, ..BuildOptions::default() };
+    let (welded, census) = TetMesh::new(mesh, &FieldChoice::default(), options).unwrap();
+    assert_eq!(found(&census.merged_points), (3, Some("point 4")));
+    assert_eq!(found(&census.unused_points), (1, Some("point 8")), "merged points are not unused ones");
+    assert_eq!(census.coincident_points, Finding::default());
+    assert_eq!(welded.scalar, [0.0, 1.0, 2.0, 4.0, -4.0], "the first one's values");
+    assert_eq!(welded.tets.len(), 2);
+    assert!(census.to_string().contains("merged"), "{census}");
+}
+
+/// Two blocks that meet in a plane, the second one's points numbered the other way round: the diagonals of their common
+/// faces agree only if its points are the same ones.
+#[test]
+fn welded_blocks_are_one_conforming_mesh() {
+    let block = grid_points([3, 3, 3]);
+    let mut points = block.clone();
+    points.extend(block.iter().rev().map(|&p| p + DVec3::X));
+    let corner = |i: usize, j: usize, k: usize| (i + 3 * (j + 3 * k)) as u32;
+    let mut cells = Vec::new();
+    for (i, j, k) in (0..8).map(|c| (c % 2, c / 2 % 2, c / 4)) {
+        let square = |k| [corner(i, j, k), corner(i + 1, j, k), corner(i + 1, j + 1, k), corner(i, j + 1, k)];
+        let nodes = [square(k), square(k + 1)].concat();
+        cells.push((CellKind::Hexahedron, nodes.clone()));
+        cells.push((CellKind::Hexahedron, nodes.into_iter().map(|n| 53 - n).collect()));
+    }
+    let mesh = |weld| {
+        let options = BuildOptions { weld, ..BuildOptions::default() };
+        TetMesh::new(cells_of(points.clone(), &cells), &FieldChoice::default(), options).unwrap()
+    };
+    let boundary = |mesh: &TetMesh| Adjacency::new(mesh).neighbors.iter().flatten().filter(|&&t| t == NO_TET).count();
+    let ((apart, _), (welded, census)) = (mesh(false), mesh(true));
+    assert_eq!((census.merged_points.count, welded.vertices.len()), (9, 45));
+    // Two triangles a square: six faces of 2 x 2 squares for each block, and the four long faces of 4 x 2 and two ends.
+    assert_eq!((boundary(&apart), boundary(&welded)), (96, 80));
 }
 
 #[test]
