@@ -56,7 +56,7 @@ fn mistakes_in_the_command_are_two() {
         (render(&["--near", "0"]), &["--near", "camera.near"]),
         (render(&["--emission", "bright"]), &["bright", "unweighted"]),
         (render(&["--light", "0,0,0"]), &["--light", "lighting.direction", "zero"]),
-        (render(&["--silhouette", "-1"]), &["--silhouette"]),
+        (render(&["--silhouette", "-1"]), &["--silhouette", "silhouette.exponent", "above 0"]),
         (render(&["--silhouette", "0"]), &["--silhouette", "silhouette.exponent", "above 0"]),
         (render(&["--set", "camera.fov=30"]), &["--set camera.fov=30", "unknown field"]),
         (render(&["--set", "nonsense"]), &["KEY=VALUE"]),
@@ -144,6 +144,32 @@ fn stats_are_one_line_of_json() {
     assert!(stats["passes"].is_array() && stats["cells"].is_object(), "{out}");
     assert_eq!(names(folder.path()), [folder.path().join("a.exr")]);
     assert_eq!(succeed(folder.path(), &render), "", "nothing on stdout unless asked");
+}
+
+/// Each of these flags changes the picture; `--weld` has nothing to merge in this mesh.
+#[test]
+fn optics_flags_change_the_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = |more: &[&str]| {
+        let render = ["render", FIRE, "-s", SCENE, "--device", "oracle", "--size", "24x16", "-o", "a.exr"];
+        succeed(folder.path(), &[&render[..], more].concat());
+        std::fs::read(folder.path().join("a.exr")).unwrap()
+    };
+    let plain = picture(&[]);
+    assert_eq!(picture(&["--weld"]), plain);
+    let mut others = vec![plain];
+    for flags in [
+        &["--emission", "unweighted"][..],
+        &["--light", "1,-2,3"],
+        &["--light", "1,-2,3", "--light-space", "world"],
+        &["--silhouette", "3"],
+        &["--silhouette", "3", "--silhouette-mode", "depth"],
+        &["--silhouette-mode", "opacity"],
+    ] {
+        let other = picture(flags);
+        assert!(!others.contains(&other), "{flags:?} changed nothing");
+        others.push(other);
+    }
 }
 
 #[test]

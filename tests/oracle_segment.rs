@@ -304,5 +304,11 @@ fn absurd_values_end() {
     assert_eq!(integrate(&uniform(f64::INFINITY), [0.0; 2], [1.0; 2], 1.0, 1e-11).transmittance(), 0.0);
     let bright = integrate(&uniform(1e12), [0.0; 2], [1.0; 2], 1.0, 1e-11);
     assert!((bright.color[0] - 1.0).abs() < 1e-11, "{bright:?}");
+    // More periods than anybody could integrate: the mean, as near as the documentation says.
+    let shape =
+        WidgetShape::Sinusoid { direction: [1.0, 0.3], offset: 0.1, period: 1e-250, variant: SinusoidVariant::Arch };
+    let wave = TransferFunction::Widgets(vec![Widget::new(shape, [1.0; 3], 2.0)]);
+    let got = integrate(&wave, [0.0; 2], [1.0; 2], 1.0, 1e-9);
+    assert!((got.tau - 2.0 * std::f64::consts::FRAC_2_PI).abs() < 2.0 / 65_536.0, "{got:?}");
     assert_eq!(integrate(&TransferFunction::Widgets(vec![]), [0.0; 2], [1.0; 2], 1.0, 1e-11), Segment::default());
 }

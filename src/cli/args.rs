@@ -156,7 +156,7 @@ pub(super) struct SceneArgs {
     #[arg(long, value_name = "SPACE")]
     pub light_space: Option<LightSpace>,
     /// Emphasise outlines: exponent, above 0
-    #[arg(long, value_name = "P")]
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub silhouette: Option<f64>,
     /// What outlines modulate; emphasises them too [default: opacity]
     #[arg(long, value_name = "MODE")]
