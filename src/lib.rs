@@ -10,6 +10,7 @@
 //! | module | what lives there |
 //! | --- | --- |
 //! | [`error`], [`space`] | one error type; boxes, rays, intervals |
+//! | [`tables`] | functions of two arguments that shaders look up, their generator, and look-ups on the host |
 //! | [`mesh`] | what a file said: one reader per format ([`mesh::read`]), no geometry; [`mesh::synth`] makes meshes |
 //! | [`tet`] | what a renderer needs, whatever the view: [`tet::TetMesh`], its [`tet::Census`], adjacency, histogram |
 //! | [`scene`] | what the user chose: [`scene::Camera`], [`scene::TransferFunction`], [`scene::Optics`], the scene file |
@@ -56,6 +57,7 @@ pub mod plan;
 pub mod renderer;
 pub mod scene;
 pub mod space;
+pub mod tables;
 pub mod tet;
 
 pub use error::{Error, Result};

@@ -30,6 +30,8 @@ pub(super) enum Command {
     Compare(CompareArgs),
     /// Draw the joint histogram of a field and its gradient magnitude
     Histogram(HistogramArgs),
+    /// Make the tables that the shaders look up, or compare them with what is there
+    Tables(TablesArgs),
 }
 
 /// Which mesh, and how to read it.
@@ -355,6 +357,16 @@ pub(super) struct HistogramArgs {
     /// Bins along the scalar and the gradient magnitude
     #[arg(long, value_name = "WxH", default_value = "256x256", value_parser = parse::bins)]
     pub bins: [u32; 2],
+}
+
+#[derive(Debug, Args)]
+pub(super) struct TablesArgs {
+    /// Folder of the tables
+    #[arg(short, long, value_name = "FOLDER", default_value = "tables")]
+    pub output: PathBuf,
+    /// Write nothing; fail (exit code 1) where a file differs by more than the last place of a number
+    #[arg(long)]
+    pub check: bool,
 }
 
 #[cfg(test)]

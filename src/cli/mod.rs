@@ -17,6 +17,7 @@ mod progress;
 mod render;
 mod sample;
 mod stats;
+mod tables;
 
 use std::ffi::OsString;
 use std::io::ErrorKind;
@@ -51,5 +52,6 @@ fn run(command: &args::Command) -> anyhow::Result<()> {
         args::Command::Sample(args) => sample::run(args),
         args::Command::Compare(args) => compare::run(args),
         args::Command::Histogram(args) => histogram::run(args),
+        args::Command::Tables(args) => tables::run(args),
     }
 }

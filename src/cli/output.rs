@@ -1,7 +1,7 @@
 //! Where results go: checked before the work starts, written whole or not at all.
 
 use std::io::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::error::{Error, Result};
 
@@ -35,6 +35,24 @@ fn folder_of(path: &Path) -> &Path {
 
 /// Writes a text file whole or not at all.
 pub(super) fn write_whole(path: &Path, text: &str) -> Result<()> {
+    stage(path, text.as_bytes())?.persist(path).map_err(|e| Error::write(path, e.error))?;
+    Ok(())
+}
+
+/// Writes several files, each whole or not at all; none where one of them does not fit or cannot be made.
+pub(super) fn write_together(files: &[(PathBuf, Vec<u8>)]) -> Result<()> {
+    if let Some((path, _)) = files.iter().find(|(path, _)| path.is_dir()) {
+        return Err(Error::write(path, "a folder has this name"));
+    }
+    let staged = files.iter().map(|(path, bytes)| stage(path, bytes)).collect::<Result<Vec<_>>>()?;
+    for (file, (path, _)) in staged.into_iter().zip(files) {
+        file.persist(path).map_err(|e| Error::write(path, e.error))?;
+    }
+    Ok(())
+}
+
+/// The contents under a temporary name beside the file, removed if it goes no further.
+fn stage(path: &Path, contents: &[u8]) -> Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     #[cfg(unix)]
     {
@@ -43,9 +61,8 @@ pub(super) fn write_whole(path: &Path, text: &str) -> Result<()> {
         builder.permissions(std::fs::Permissions::from_mode(0o666));
     }
     let mut file = builder.tempfile_in(folder_of(path)).map_err(|e| Error::write(path, e))?;
-    file.write_all(text.as_bytes()).map_err(|e| Error::write(path, e))?;
-    file.persist(path).map_err(|e| Error::write(path, e.error))?;
-    Ok(())
+    file.write_all(contents).map_err(|e| Error::write(path, e))?;
+    Ok(file)
 }
 
 /// Prints to stdout. A closed pipe comes back as an error that `main` takes for the end.
