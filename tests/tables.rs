@@ -1,4 +1,18 @@
-//! Constants: the shaders' literals are those of `tables/coefficients.json`, and these keep what they promise.
+//! Constants: the shaders' literals are those of `tables/coefficients.json`, and these keep what they promise. So do the
+//! sampled tables, by the files of `tests/tables/`.
+
+#![expect(clippy::print_stdout, reason = "what was measured, for `--nocapture`")]
+
+#[path = "tables/errors.rs"]
+mod errors;
+#[path = "tables/published.rs"]
+mod published;
+#[path = "tables/reference.rs"]
+mod reference;
+#[path = "tables/sampled.rs"]
+mod sampled;
+#[path = "tables/unweighted.rs"]
+mod unweighted;
 
 #[path = "common/kernels.rs"]
 #[expect(dead_code, reason = "the sweeps are for the tests of the shaders")]

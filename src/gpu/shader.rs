@@ -19,6 +19,7 @@ const SOURCES: &[(&str, &str)] = sources![
     "layers",
     "math/optics",
     "math/real",
+    "math/unweighted",
     "math/widget",
     "project",
     "raster",

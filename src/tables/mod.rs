@@ -141,7 +141,7 @@ impl Axis {
         let position = match self {
             Self::Linear { from, to } => (argument - from as f32) / (to - from) as f32,
             Self::LogOnePlus { most } => (1.0 + argument.max(0.0)).ln() / most.ln_1p() as f32,
-            Self::InverseFourthRoot => 1.0 - 1.0 / (1.0 + argument.max(0.0)).sqrt().sqrt(),
+            Self::InverseFourthRoot => 1.0 - (-0.25 * (1.0 + argument.max(0.0)).log2()).exp2(),
         };
         if argument.is_nan() { f32::NAN } else { position.clamp(0.0, 1.0) }
     }

@@ -4,11 +4,11 @@ use std::fmt::Write;
 
 use tetralux::gpu::shader::compose;
 
-/// The translated text as it should stand in `translated.rs`.
-pub fn translate() -> String {
+/// The translated text of a file and its imports as it should stand in `translated.rs`.
+pub fn translate(file: &str) -> String {
     let mut text = String::from("// Made from shaders/math by `translate.rs`; not to be edited.\n");
     for (module, number) in [("single", "f32"), ("double", "f64")] {
-        let source = source(number);
+        let source = source(file, number);
         let parsed = naga::front::wgsl::parse_str(&source).unwrap_or_else(|e| panic!("{}", e.emit_to_string(&source)));
         let info = naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga_rust_back::CAPABILITIES)
             .validate(&parsed)
@@ -20,9 +20,9 @@ pub fn translate() -> String {
     text
 }
 
-/// All of `shaders/math` over one type of number.
-fn source(number: &str) -> String {
+/// The file and its imports over one type of number.
+fn source(file: &str, number: &str) -> String {
     let numbers = compose("math/real").expect("a file");
-    let all = compose("math/widget").expect("a file");
+    let all = compose(file).expect("a file");
     all.replace(&numbers, &numbers.replace("f32", number))
 }
