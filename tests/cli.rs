@@ -79,6 +79,38 @@ fn mistakes_in_the_command_are_two() {
 }
 
 #[test]
+fn tables_are_made_whole_and_compared() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    // Nothing is written where one file cannot be.
+    std::fs::create_dir_all(path("tables/arch_k.f32")).unwrap();
+    fail(folder.path(), &["tables"], 1, &["arch_k.f32"]);
+    fail(folder.path(), &["tables", "-o", "nowhere"], 1, &["no such folder", "nowhere"]);
+    assert_eq!(names(&path("tables")), [path("tables/arch_k.f32")]);
+    std::fs::remove_dir(path("tables/arch_k.f32")).unwrap();
+    fail(folder.path(), &["tables", "--check"], 1, &["cannot read", "psi.f32"]);
+
+    succeed(folder.path(), &["tables"]);
+    succeed(folder.path(), &["tables", "--check"]);
+    assert_eq!(names(&path("tables")).len(), 5);
+    let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("tables/index.json");
+    assert_eq!(std::fs::read(path("tables/index.json")).unwrap(), std::fs::read(committed).unwrap());
+    // Node (7, 1) of psi, two units in the last place away.
+    let file = path("tables/psi.f32");
+    let good = std::fs::read(&file).unwrap();
+    let mut bad = good.clone();
+    bad[4 * (256 + 7)] ^= 2;
+    std::fs::write(&file, &bad).unwrap();
+    fail(folder.path(), &["tables", "--check"], 1, &["node (7, 1)", "2 units", "psi.f32"]);
+    assert_eq!(std::fs::read(&file).unwrap(), bad, "--check writes nothing");
+    std::fs::write(&file, &good[1..]).unwrap();
+    fail(folder.path(), &["tables", "--check"], 1, &["262143 bytes", "psi.f32"]);
+    std::fs::write(&file, &good).unwrap();
+    std::fs::write(path("tables/index.json"), "{}").unwrap();
+    fail(folder.path(), &["tables", "--check"], 1, &["index.json"]);
+}
+
+#[test]
 fn what_fails_is_one() {
     let folder = tempfile::tempdir().unwrap();
     let garbage = folder.path().join("garbage.vtu");

@@ -49,10 +49,10 @@ fn check(folder: &Path, tables: &[Table2]) -> Result<()> {
         }
     }
     let path = folder.join("index.json");
-    if read(&path)? != index().as_bytes() {
-        outcome = outcome.and(Err(Error::malformed(&path, "not what is generated; `tetralux tables` writes it anew")));
-    }
-    outcome
+    outcome.and(read(&path)).and_then(|text| match text == index().as_bytes() {
+        true => Ok(()),
+        false => Err(Error::malformed(&path, "not what is generated; `tetralux tables` writes it anew")),
+    })
 }
 
 fn judge(table: &Table2, path: &Path, difference: Difference) -> Result<String> {

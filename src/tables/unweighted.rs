@@ -9,12 +9,11 @@ use std::f32::consts::{PI, TAU};
 
 use super::{GAUSSIAN_END, Interpolation, Kind, MOST_STRENGTH};
 
-/// Nodes in (0, 1) of the 5-point Gauss-Legendre rule.
-pub const SHORT_NODES: [f32; 5] = [0.0469100770306680, 0.2307653449471585, 0.5, 0.7692346550528415, 0.9530899229693320];
+/// Nodes in (0, 1) of the 5-point Gauss-Legendre rule (`gauss_legendre_five` of `tables/coefficients.json`).
+pub const SHORT_NODES: [f32; 5] = [0.046_910_077, 0.230_765_34, 0.5, 0.769_234_66, 0.953_089_95];
 
 /// Its weights.
-const SHORT_WEIGHTS: [f32; 5] =
-    [0.1184634425280945, 0.2393143352496832, 0.2844444444444444, 0.2393143352496832, 0.1184634425280945];
+const SHORT_WEIGHTS: [f32; 5] = [0.118_463_44, 0.239_314_34, 0.284_444_45, 0.239_314_34, 0.118_463_44];
 
 /// True for a piece shorter than 1 (in the table's own length) and thinner than 1. The error of a look-up is divided by the
 /// length, so these take quadrature, and nothing else needs to: a short piece that is not thin sees little of its length.

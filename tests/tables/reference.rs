@@ -35,7 +35,9 @@ pub fn psi(a: f64, b: f64) -> f64 {
     if a.is_infinite() || b.is_infinite() {
         return 0.0;
     }
-    integral(1.0, |x| (-x * (a + 0.5 * (b - a) * x)).exp())
+    // Up to a depth of 60 at least; a falling ramp's is above a x / 2.
+    let length = if b >= a { (60.0 / a).min((120.0 / (b - a)).sqrt()) } else { 120.0 / a };
+    integral(length.min(1.0), |x| (-x * (a + 0.5 * (b - a) * x)).exp())
 }
 
 /// `erf t - erf u`, t >= u.
@@ -106,5 +108,6 @@ fn the_reference_agrees_with_closed_forms_and_finer_steps() {
         }
     }
     println!("reference: {worst:.1e}");
-    assert!(worst < 1e-11, "{worst:e}");
+    // Measured: 1.5e-14.
+    assert!(worst < 1e-13, "{worst:e}");
 }

@@ -53,6 +53,7 @@ fn planted_differences_are_found() {
 
 #[test]
 fn axes_are_inverted_by_their_positions() {
+    let mut single = 0.0f64;
     for axis in [
         Axis::Linear { from: -4.0, to: 4.0 },
         Axis::LogOnePlus { most: 1e3 },
@@ -64,14 +65,15 @@ fn axes_are_inverted_by_their_positions() {
             let argument = axis.argument(position);
             let error = (axis.position(argument) - position).abs();
             assert!(error <= 1e-15, "{axis:?} {position} {error:e}");
-            // Measured: 1.9e-7, near the end of the logarithm's axis.
-            let error = (f64::from(axis.position_f32(argument as f32)) - position).abs();
-            assert!(error <= 2.5e-7, "{axis:?} {position} {error:e}");
+            single = single.max((f64::from(axis.position_f32(argument as f32)) - position).abs());
         }
         assert!(axis.position(f64::NAN).is_nan() && axis.position_f32(f32::NAN).is_nan());
         assert_eq!([axis.position(-1e30), axis.position(f64::INFINITY)], [0.0, 1.0]);
         assert_eq!([axis.position_f32(-1e30), axis.position_f32(f32::INFINITY)], [0.0, 1.0]);
     }
+    println!("positions in f32: {single:.1e}");
+    // Measured: 9.9e-8.
+    assert!(single <= 1.5e-7, "{single:e}");
 }
 
 /// A polynomial over [0, 1]^2 sampled on a small table, and its largest error between nodes.
@@ -92,10 +94,15 @@ fn worst(f: impl Fn(f64, f64) -> f64, interpolation: Interpolation) -> f64 {
 
 #[test]
 fn lookups_reproduce_the_polynomials_they_should() {
-    // Values are f32 of size 4 at most.
-    let rounding = 2e-6;
+    // Values are f32 of size 4 at most; measured: 5.7e-7.
+    let rounding = 1e-6;
     let bilinear = |x: f64, y: f64| 1.0 + x - 2.0 * y + 0.5 * x * y;
     let parabola = |x: f64, y: f64| bilinear(x, y) + x * x - 0.7 * y * y + x * x * y * y;
+    println!(
+        "rounding: {:.1e} {:.1e}",
+        worst(bilinear, Interpolation::Bilinear),
+        worst(parabola, Interpolation::Cubic)
+    );
     assert!(worst(bilinear, Interpolation::Bilinear) < rounding);
     assert!(worst(parabola, Interpolation::Cubic) < rounding);
     // And no more than these.

@@ -196,21 +196,21 @@ fn the_shaders_text_is_the_hosts() {
     );
 }
 
-/// Rounding of two orders of operations, over extents down to 1e-3.
-const SAME: f32 = 1e-4;
+/// Rounding of two orders of operations, over extents down to 1e-3. Measured: 9.5e-7.
+const SAME: f32 = 2e-6;
 
 #[test]
 fn the_shaders_positions_are_the_hosts() {
+    let mut worst = 0.0f64;
     for i in 0..=4000 {
         let t = 1e-8 * 10f32.powf(0.005 * i as f32);
-        for (name, got, kind) in
-            [("strength", shader::strength_position(t), Kind::GaussianJ), ("psi", shader::psi_position(t), Kind::Psi)]
-        {
-            let error = (f64::from(got) - kind.axes()[0].position(f64::from(t))).abs();
-            // Measured: 2.5e-7 of an axis, 6e-5 of a node.
-            assert!(error <= 3e-7, "{name} {t:e} {error:e}");
+        for (got, kind) in [(shader::strength_position(t), Kind::GaussianJ), (shader::psi_position(t), Kind::Psi)] {
+            worst = worst.max((f64::from(got) - kind.axes()[0].position(f64::from(t))).abs());
         }
     }
+    println!("positions: {worst:.1e}");
+    // Measured: 9.7e-8 of an axis.
+    assert!(worst <= 1.5e-7, "{worst:e}");
 }
 
 #[test]
@@ -219,7 +219,9 @@ fn short_pieces_need_no_table_and_strong_ones_say_so() {
         let mut piece = Piece { start: 0.3, extent: 1e-6, strength: 2e3, truth: 1.0 };
         piece.truth = profile.truth(piece.start, piece.extent, piece.strength);
         let (error, _) = worst(&[piece], |p| profile.mean_transmittance(p, Interpolation::Cubic));
-        assert!(error < 3e-7, "{profile:?} {error:e}");
+        println!("short: {error:.1e}");
+        // Measured: 1.2e-8.
+        assert!(error < 3e-8, "{profile:?} {error:e}");
         piece.extent = 2.0;
         assert_eq!(profile.mean_transmittance(piece, Interpolation::Cubic), None);
         piece.strength = f32::NAN;
@@ -234,7 +236,9 @@ fn far_pieces_are_clear_and_finite() {
         let piece = Piece { start, extent, strength: 1.0, truth: 0.0 };
         let got = Profile::Gaussian.mean_transmittance(piece, Interpolation::Cubic).expect("a strength in the table");
         let want = Profile::Gaussian.truth(start, extent, 1.0);
-        assert!((f64::from(got) - want).abs() < 1e-5, "{start} {extent}: {got} {want}");
+        println!("far: {:.1e}", (f64::from(got) - want).abs());
+        // Measured: 2.5e-8.
+        assert!((f64::from(got) - want).abs() < 1e-7, "{start} {extent}: {got} {want}");
     }
     for periods in [1e3f32, 1e6] {
         for wave in [Wave::Arch, Wave::Cosine] {
@@ -243,7 +247,9 @@ fn far_pieces_are_clear_and_finite() {
             let got = Profile::Wave(wave).mean_transmittance(piece, Interpolation::Cubic).expect("as above");
             let depth = if wave == Wave::Arch { 2.0 } else { PI };
             let want = -(-depth).exp_m1() / depth;
-            assert!((f64::from(got) - want).abs() < 2e-3, "{wave:?} {periods}: {got} {want}");
+            println!("many: {:.1e}", (f64::from(got) - want).abs());
+            // Measured: 1.4e-4 of 1e3 periods, of which the last is cut.
+            assert!((f64::from(got) - want).abs() < 3e-4, "{wave:?} {periods}: {got} {want}");
         }
     }
 }
