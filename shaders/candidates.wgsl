@@ -21,6 +21,8 @@ struct BandTotals {
     bands: atomic<u32>,
     // In one cell.
     most: atomic<u32>,
+    // Largest optical depth that a ray may find in a cell, as bits.
+    deepest: atomic<u32>,
 }
 
 // Off: every cell of non-zero volume is a candidate.
@@ -161,7 +163,8 @@ fn widgets_bound(p: array<vec2f, 4>) -> f32 {
     return sum;
 }
 
-fn reaches(tet: vec4u) -> bool {
+// Bound of the optical depth of a ray through the cell; colours above 1 count for as much more.
+fn depth_bound(tet: vec4u) -> f32 {
     let a = vertices[tet.x];
     let b = vertices[tet.y];
     let c = vertices[tet.z];
@@ -172,7 +175,7 @@ fn reaches(tet: vec4u) -> bool {
     if PIECES > 0u {
         let low = min(min(a.w, b.w), min(c.w, d.w));
         let high = max(max(a.w, b.w), max(c.w, d.w));
-        return curve_bound(low, high) * edge > INVISIBLE;
+        return curve_bound(low, high) * edge;
     }
     var points = array<vec2f, 4>(vec2f(a.w, 0.0), vec2f(b.w, 0.0), vec2f(c.w, 0.0), vec2f(d.w, 0.0));
     if BIVARIATE {
@@ -181,7 +184,7 @@ fn reaches(tet: vec4u) -> bool {
         points[2].y = gradients[tet.z];
         points[3].y = gradients[tet.w];
     }
-    return widgets_bound(points) * edge > INVISIBLE;
+    return widgets_bound(points) * edge;
 }
 
 @compute @workgroup_size(256)
@@ -195,7 +198,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     }
     workgroupBarrier();
     if i < range.tet_count && volumes[i] != 0.0 {
-        if !CULL || reaches(tets[i]) {
+        if !CULL || depth_bound(tets[i]) > INVISIBLE {
             atomicOr(&block_flags[lane >> 5u], 1u << (i & 31u));
             if PIECES > 0u {
                 let scalars = scalar_range(tets[i]);
@@ -203,6 +206,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
                 cell_bands[i] = bands;
                 atomicAdd(&band_totals.bands, band_count(bands));
                 atomicMax(&band_totals.most, band_count(bands));
+                atomicMax(&band_totals.deepest, bitcast<u32>(depth_bound(tets[i])));
                 if band_count(bands) > 1u {
                     atomicOr(&block_banded[lane >> 5u], 1u << (i & 31u));
                 }

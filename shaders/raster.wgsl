@@ -104,8 +104,8 @@ fn fragment(in: Fragment) -> @location(0) vec4f {
 
 fn shade(in: Fragment) -> vec4f {
     let plane = in.plane_and_tent;
-    let tent = max(min(min(plane.z, plane.w), in.tent_and_ray.x), 0.0);
-    let depths = front_back_length(in.tent_and_ray.yz, plane.x, tent * in.apex.x);
+    let tent = greater(lesser(lesser(plane.z, plane.w), in.tent_and_ray.x), 0.0);
+    let depths = side_lengths(in.tent_and_ray.yz, plane.x, tent * in.apex.x);
     let scalars = front_back(plane.y, tent * in.apex.y, in.apex.x, depths.xy);
     return segment(clamp(scalars, vec2f(0.0), vec2f(1.0)), vec2f(0.0), depths.z);
 }
@@ -117,8 +117,8 @@ fn fragment_band(in: BandFragment) -> @location(0) vec4f {
 
 fn shade_band(in: BandFragment) -> vec4f {
     let plane = in.plane_and_tent;
-    let tent = max(min(min(plane.z, plane.w), in.tent_and_ray.x), 0.0);
-    let depths = front_back_length(in.tent_and_ray.yz, plane.x, tent * in.apex.x);
+    let tent = greater(lesser(lesser(plane.z, plane.w), in.tent_and_ray.x), 0.0);
+    let depths = side_lengths(in.tent_and_ray.yz, plane.x, tent * in.apex.x);
     let ends = front_back(plane.y, tent * in.apex.y, in.apex.x, depths.xy);
     return band_segment(ends, in.apex.zw, depths.z, in.low, in.rise);
 }
@@ -131,8 +131,8 @@ fn fragment_bivariate(in: BivariateFragment) -> @location(0) vec4f {
 fn shade_bivariate(in: BivariateFragment) -> vec4f {
     let plane = in.plane_and_tent;
     let more = in.tent_and_ray_and_gradient;
-    let tent = max(min(min(plane.z, plane.w), more.x), 0.0);
-    let depths = front_back_length(more.yz, plane.x, tent * in.apex.x);
+    let tent = greater(lesser(lesser(plane.z, plane.w), more.x), 0.0);
+    let depths = side_lengths(more.yz, plane.x, tent * in.apex.x);
     let scalars = front_back(plane.y, tent * in.apex.y, in.apex.x, depths.xy);
     let gradients = front_back(more.w, tent * in.apex.z, in.apex.x, depths.xy);
     return segment(clamp(scalars, vec2f(0.0), vec2f(1.0)), clamp(gradients, vec2f(0.0), vec2f(1.0)), depths.z);
@@ -164,21 +164,20 @@ fn fragment_bivariate_counted(in: BivariateFragment) -> Counted {
     return counted(shade_bivariate(in));
 }
 
-// Values at entry and exit from value/z of the interpolated side and its change to the other.
+// Values at entry and exit from value/z of the interpolated side and its change to the other, and the depths of the two.
 fn front_back(plane: f32, change: f32, side: f32, depths: vec2f) -> vec2f {
-    let other = plane + change;
-    return select(vec2f(plane, other), vec2f(other, plane), side > 0.0) * depths;
+    let values = vec2f(plane, plane + change) * depths;
+    return select(values, values.yx, side > 0.0);
 }
 
-// Depths of entry and exit, and the length of the ray between them, from 1/z of the interpolated side and the thickness
-// 1/z front - 1/z back, negative where that side is the front. Never a difference of depths: the length of a thin cell
-// keeps its digits.
-fn front_back_length(ray: vec2f, inverse: f32, thickness: f32) -> vec3f {
+// Depths of the interpolated and the other side, and the length of the ray between them, from 1/z of the interpolated side
+// and the thickness 1/z front - 1/z back, negative where that side is the front. Never a difference of depths: the length
+// of a thin cell keeps its digits.
+fn side_lengths(ray: vec2f, inverse: f32, thickness: f32) -> vec3f {
     if !PERSPECTIVE {
         return vec3f(1.0, 1.0, abs(thickness));
     }
-    let inverse_front = inverse + max(thickness, 0.0);
-    let inverse_back = inverse + min(thickness, 0.0);
-    let both = 1.0 / max(inverse_front * inverse_back, 1e-37);
-    return vec3f(inverse_back, inverse_front, abs(thickness) * sqrt(1.0 + dot(ray, ray))) * both;
+    let other = inverse + thickness;
+    let both = 1.0 / greater(inverse * other, 1e-37);
+    return vec3f(other, inverse, abs(thickness) * sqrt(1.0 + dot(ray, ray))) * both;
 }

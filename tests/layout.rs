@@ -63,7 +63,7 @@ fn hosts() -> Vec<Host> {
             gradient_high,
         }),
         host!(Piece { origin, slope }),
-        host!(BandTotals { bands, most }),
+        host!(BandTotals { bands, most, deepest }),
         host!(Chunk { first_cell, cells, pad_a, pad_b }),
     ]
 }

@@ -10,6 +10,8 @@
 
 // On: cells are drawn band by band. Then orders hold bands: a cell << BAND_BITS, and the band's rank from behind.
 override BANDS: bool = false;
+// On: some cell is deeper than 1/2.
+override DEEP: bool = true;
 const BAND_BITS: u32 = 6u;
 
 // The bands of a cell in one word: the lowest piece that it reaches visibly, how many it reaches, and whether these hold
@@ -34,21 +36,41 @@ fn band_reaches_high(bands: u32) -> bool {
     return (bands & 0x2000000u) != 0u;
 }
 
+// min and max of numbers: the built-in ones may take three instructions, for the sake of NaN.
+fn lesser(a: f32, b: f32) -> f32 {
+    return select(b, a, (a < b));
+}
+
+fn greater(a: f32, b: f32) -> f32 {
+    return select(b, a, (a > b));
+}
+
 // Premultiplied colour and transmittance of the part of a segment in a band. `ends`: where its front and back lie between
 // the band's ends, 0 to 1; `bounds`: where it is clipped, usually 0 and 1; `low` and `rise`: colour and extinction at
 // the lower end, and their change to the upper. Exact but for thin_weights; deeper parts are taken in steps of depth 1/2.
 fn band_segment(ends: vec2f, bounds: vec2f, extent: f32, low: vec4f, rise: vec4f) -> vec4f {
     let change = ends.y - ends.x;
-    let per_change = 1.0 / select(min(change, -1e-30), max(change, 1e-30), change >= 0.0);
-    let cuts = (bounds - ends.x) * per_change;
-    let x_front = max(min(cuts.x, cuts.y), 0.0);
-    let x_back = min(max(cuts.x, cuts.y), 1.0);
-    let inside = extent * max(x_back - x_front, 0.0);
-    var front = low + clamp(ends.x + change * x_front, 0.0, 1.0) * rise;
-    var back = low + clamp(ends.x + change * x_back, 0.0, 1.0) * rise;
-    // Depth per whole segment, had it the extinction of its front, and of its back. Squares stay finite.
-    var a = clamp(front.w * inside, 0.0, 1e15);
-    var b = clamp(back.w * inside, 0.0, 1e15);
+    let u_front = lesser(greater(ends.x, bounds.x), bounds.y);
+    let u_back = lesser(greater(ends.y, bounds.x), bounds.y);
+    // A ray along which the scalar is constant is in the band or is not.
+    let inside = select((u_back - u_front) / change, select(0.0, 1.0, u_front == ends.x), abs(change) < 1e-30);
+    let front = low + u_front * rise;
+    let back = low + u_back * rise;
+    // Depth per whole segment, had it the extinction of its front, and of its back.
+    let a = greater(front.w, 0.0) * (extent * inside);
+    let b = greater(back.w, 0.0) * (extent * inside);
+    if !DEEP {
+        let weights = thin_weights(a, b);
+        return vec4f(weights.y * front.rgb + (weights.x - weights.y) * back.rgb, 1.0 - weights.x);
+    }
+    return deep_segment(front, back, a, b);
+}
+
+// In steps of depth 1/2.
+fn deep_segment(front: vec4f, back: vec4f, front_depth: f32, back_depth: f32) -> vec4f {
+    var start = front;
+    var a = front_depth;
+    var b = back_depth;
     var color = vec3f(0.0);
     var transmittance = 1.0;
     loop {
@@ -56,17 +78,17 @@ fn band_segment(ends: vec2f, bounds: vec2f, extent: f32, low: vec4f, rise: vec4f
         var part = 1.0;
         if deep {
             // a x + (b - a) x^2 / 2 = 1/2, in the form without cancellation.
-            part = min(1.0 / (a + sqrt(max(a * a + (b - a), 0.0))), 1.0);
+            part = lesser(1.0 / (a + sqrt(greater(a * a + (b - a), 0.0))), 1.0);
         }
-        let end = mix(front, back, part);
+        let end = mix(start, back, part);
         let depth_at_end = mix(a, b, part);
         let weights = thin_weights(a * part, depth_at_end * part);
-        color += transmittance * (weights.y * front.rgb + (weights.x - weights.y) * end.rgb);
+        color += transmittance * (weights.y * start.rgb + (weights.x - weights.y) * end.rgb);
         transmittance -= transmittance * weights.x;
         if !deep || transmittance < 1e-7 {
             break;
         }
-        front = end;
+        start = end;
         a = depth_at_end * (1.0 - part);
         b *= 1.0 - part;
     }

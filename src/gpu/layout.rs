@@ -87,6 +87,7 @@ pub struct Piece {
 pub struct BandTotals {
     pub bands: u32,
     pub most: u32,
+    pub deepest: u32,
 }
 
 /// `project.wgsl`.

@@ -25,9 +25,12 @@ use crate::tet::TetMesh;
 const EMPTY: wgpu::LoadOp<wgpu::Color> = wgpu::LoadOp::Clear(wgpu::Color { r: 0.0, g: 0.0, b: 0.0, a: 1.0 });
 const ZERO: wgpu::LoadOp<wgpu::Color> = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
 
+/// Up to this optical depth a piece is integrated in one step (`math/optics.wgsl`, `thin_weights`).
+const THIN: f32 = 0.5;
+
 /// Cells of one draw on a software adapter: lavapipe bins a draw's triangles, at 300 bytes each, before it shades them,
 /// and these fit the caches. 16,384 took 1.25 times as long a frame (584,000 cells), 1,024 as long for its passes.
-const SOFTWARE_DRAW: u32 = 4096;
+const SOFTWARE_DRAW: u32 = 3072;
 
 /// Renders one mesh by projection (Shirley & Tuchman 1990) in compute and raster passes.
 pub struct GpuRenderer {
@@ -113,6 +116,8 @@ impl GpuRenderer {
         if curve && in_bands {
             let totals = self.band_totals()?;
             bands = self.store.holds_bands(totals.bands.into(), totals.most).then_some(totals.bands);
+            let deep = f32::from_bits(totals.deepest) > THIN;
+            extra.push(("DEEP", f64::from(u8::from(deep))));
         }
         self.scene = Some(SceneKernels::new(&self.gpu, transfer, perspective, self.f16, candidates, bands, &extra)?);
         Ok(())

@@ -139,7 +139,8 @@ fn agrees_from(
     in_bands
 }
 
-fn all_functions(mesh: &Arc<TetMesh>, what: &str) {
+/// `few_bands`: the cells are so small that the curve's nodes cut few of them.
+fn all_functions(mesh: &Arc<TetMesh>, what: &str, few_bands: bool) {
     let axes = Axes::of(mesh);
     let uniform = |depth| axes.widget(WidgetShape::Uniform, GOLD, depth);
     let turned = axes.widget(axes.gaussian([0.4, 0.2], [0.03, 0.2], 0.7), GOLD, 30.0);
@@ -157,7 +158,8 @@ fn all_functions(mesh: &Arc<TetMesh>, what: &str) {
     ] {
         agrees(mesh, &format!("{what}, {name}"), &transfer, ONE_COLOR, false);
     }
-    assert!(agrees(mesh, &format!("{what}, curve"), &axes.curve([GOLD; 5]), ONE_COLOR, false), "{what}: in bands");
+    let in_bands = agrees(mesh, &format!("{what}, curve"), &axes.curve([GOLD; 5]), ONE_COLOR, false);
+    assert_eq!(in_bands, few_bands, "{what}: drawn in bands");
     let teeth = axes.teeth();
     assert!(
         !agrees(mesh, &format!("{what}, many nodes"), &teeth, ONE_COLOR, false),
@@ -180,10 +182,10 @@ fn a_face_seen_edge_on_agrees() {
 
 #[test]
 fn the_fire_agrees() {
-    all_functions(&meshes::fire(), "fire");
+    all_functions(&meshes::fire(), "fire", true);
 }
 
 #[test]
 fn a_sample_agrees() {
-    all_functions(&meshes::sample(Sample::Tangle, 20_000), "tangle");
+    all_functions(&meshes::sample(Sample::Tangle, 20_000), "tangle", false);
 }

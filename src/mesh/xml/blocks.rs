@@ -77,9 +77,10 @@ impl BlockTable {
             rest = after;
             tasks.push((i, block));
             if tasks.len() == BATCH || i + 1 == self.compressed_sizes.len() {
-                let done: Result<Vec<Vec<u8>>, String> =
+                let tried: Vec<Result<Vec<u8>, String>> =
                     tasks.par_drain(..).map(|(i, block)| self.block(i, block, compressor)).collect();
-                let done = done?;
+                // In order: of several bad blocks the first is named.
+                let done = tried.into_iter().collect::<Result<Vec<_>, _>>()?;
                 let more = done.iter().map(Vec::len).sum();
                 out.try_reserve(more).map_err(|_| format!("no memory for {more} more bytes"))?;
                 done.iter().for_each(|block| out.extend_from_slice(block));
