@@ -137,6 +137,24 @@ fn misses_box(p: array<vec2f, 4>, low: vec2f, high: vec2f) -> bool {
     return false;
 }
 
+// What dot(direction, point - center) takes over the hull, a hair more: values on rays err by 3e-7.
+fn span_along(p: array<vec2f, 4>, center: vec2f, direction: vec2f) -> vec2f {
+    let u = vec4f(dot(direction, p[0] - center), dot(direction, p[1] - center), dot(direction, p[2] - center),
+                  dot(direction, p[3] - center));
+    let hair = 1e-6 * (abs(direction.x) + abs(direction.y));
+    return vec2f(min(min(u.x, u.y), min(u.z, u.w)) - hair, max(max(u.x, u.y), max(u.z, u.w)) + hair);
+}
+
+// Largest value of a piecewise-linear function over a span.
+fn knots_bound(first: u32, count: u32, span: vec2f) -> f32 {
+    let low = max(span.x, knots_at(first).x);
+    let high = min(span.y, knots_at(first + count - 1u).z);
+    if low > high {
+        return 0.0;
+    }
+    return knots_range(first, count, low, high).y;
+}
+
 // Bound of the widgets' extinction over the hull.
 fn widgets_bound(p: array<vec2f, 4>) -> f32 {
     var sum = 0.0;
@@ -146,7 +164,7 @@ fn widgets_bound(p: array<vec2f, 4>) -> f32 {
             continue;
         }
         var most = w.extinction;
-        if GAUSSIANS && w.shape == 1u {
+        if GAUSSIANS && w.shape == GAUSSIAN {
             var q: array<vec2f, 4>;
             for (var i = 0u; i < 4u; i++) {
                 var corner = p;
@@ -156,6 +174,14 @@ fn widgets_bound(p: array<vec2f, 4>) -> f32 {
             // A hair nearer than computed: rounding must not cull.
             let distance = distance_to_hull(q) * 0.9999;
             most *= attenuation(distance * distance);
+        } else if (TRIANGLES || COSINES || ARCHES) && w.shape >= TRIANGLE && w.shape <= HALF {
+            let phases = span_along(p, w.center, w.whiten.xy) + w.whiten.z;
+            most *= wave_range(w, phases.x, phases.y).y;
+        } else if RAMPS && w.shape == RAMP {
+            most *= knots_bound(w.knots.z, w.knots.w, span_along(p, vec2f(0.0), w.whiten.xy));
+        }
+        if WINDOWS && w.knots.y > 0u {
+            most *= knots_bound(w.knots.x, w.knots.y, span_along(p, vec2f(0.0), w.window_direction));
         }
         // Colours above 1 count for as much more.
         sum += most * max(1.0, max(w.color.r, max(w.color.g, w.color.b)));

@@ -19,6 +19,7 @@
 //! | [`renderer`] | [`renderer::Renderer`] and the closed sets of choices |
 //! | [`oracle`] | the integral in f64 by quadrature: the truth, and the renderer of machines without a driver |
 //! | [`gpu`] | projection on wgpu: the only module that knows of it; its passes are the files of `shaders/` |
+//! | [`report`] | what runs are worth in numbers: [`report::segments`] holds an integral against the truth |
 //! | `cli` | the command line (feature `cli`): arguments, jobs, one file a command |
 //!
 //! # From a file to a picture
@@ -55,6 +56,7 @@ pub mod mesh;
 pub mod oracle;
 pub mod plan;
 pub mod renderer;
+pub mod report;
 pub mod scene;
 pub mod space;
 pub mod tables;

@@ -1,5 +1,7 @@
 //! What every renderer offers, and the closed sets of choices a user has.
 
+mod integral;
+
 use std::time::Duration;
 
 use crate::error::Result;
@@ -7,20 +9,14 @@ use crate::image::Image;
 use crate::scene::{Camera, Optics, TransferFunction};
 use crate::tet::TetMesh;
 
+pub use integral::SegmentIntegral;
+
 /// How cells meet pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
     /// Projected tetrahedra (Shirley & Tuchman 1990): rasterised triangles, blended back to front.
     #[default]
     Project,
-}
-
-/// How one ray segment in one cell is integrated.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum SegmentIntegral {
-    /// Closed-form optical depth; colour exact for one colour and for 1D functions, weighted by depth for several widgets.
-    #[default]
-    Analytic,
 }
 
 /// In which order cells are blended.
@@ -56,7 +52,7 @@ pub enum BlendFormat {
 }
 
 /// Choices that change how, not what, is rendered.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// How cells meet pixels.
     pub method: Method,

@@ -12,7 +12,9 @@ use glam::DVec3;
 use tetralux::image::{Comparison, Image};
 use tetralux::mesh::synth::Sample;
 use tetralux::renderer::Settings;
-use tetralux::scene::{Camera, Curve, CurveNode, Projection, TransferFunction, Widget, WidgetShape};
+use tetralux::scene::{
+    Camera, Curve, CurveNode, Projection, SinusoidVariant, TransferFunction, Widget, WidgetShape, Window,
+};
 use tetralux::tet::TetMesh;
 
 const SIZE: [u32; 2] = [256, 256];
@@ -66,7 +68,31 @@ fn cases(mesh: &TetMesh) -> Vec<Case> {
     let curve = TransferFunction::Curve(Curve { nodes: vec![node(0.3, 0.0), node(0.5, thin), node(0.7, 0.0)] });
     let wide = 30.0 / diagonal;
     let case = |name, transfer, univariate| Case { name, transfer, peak, univariate };
+    let tent = vec![[at(0.3), 0.0], [at(0.5), 1.0], [at(0.7), 0.0]];
+    let period = 3.0 * s;
+    let isolated = WidgetShape::Triangle {
+        direction: [1.0, 0.0],
+        offset: peak[0] - 0.5 * period,
+        period,
+        duty: 0.4 * (high - low) / period,
+    };
+    let wave = |variant, periods: f64| WidgetShape::Sinusoid {
+        direction: [1.0 / s, 0.5 / g],
+        offset: 0.1 + peak[0] / s,
+        period: periods,
+        variant,
+    };
+    let windowed = |shape: WidgetShape, extinction, direction, knots| {
+        let window = Some(Window { direction, knots });
+        TransferFunction::Widgets(vec![Widget { window, ..Widget::new(shape, [0.9, 0.6, 0.3], extinction) }])
+    };
+    let steep = |a: f64, b: f64| vec![[gradient.min + a * g, 0.0], [gradient.min + b * g, 1.0]];
     vec![
+        case("isolated tent", widget(isolated, thin, [None; 2]), true),
+        case("ramp", widget(WidgetShape::Ramp { direction: [1.0, 0.0], knots: tent.clone() }, thin, [None; 2]), true),
+        case("window", windowed(WidgetShape::Uniform, thin, [1.0, 0.0], tent), true),
+        case("half wave", widget(wave(SinusoidVariant::Half, 0.4), wide, [None; 2]), false),
+        case("wave in a window", windowed(wave(SinusoidVariant::Cos, 0.3), wide, [0.0, 1.0], steep(0.2, 0.5)), false),
         case("band", widget(WidgetShape::Uniform, thin, [Some([at(0.4), at(0.6)]), None]), true),
         case("narrow Gaussian", widget(gaussian([0.02 * (high - low), 1e9 * g], 0.0), 5.0 * thin, [None; 2]), true),
         case("curve's peak", curve, true),

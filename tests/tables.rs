@@ -14,12 +14,16 @@ mod sampled;
 #[path = "tables/unweighted.rs"]
 mod unweighted;
 
+#[path = "kernels/root.rs"]
+mod root;
+
 #[path = "common/kernels.rs"]
 #[expect(dead_code, reason = "the sweeps are for the tests of the shaders")]
 mod kernels;
 
 use std::collections::BTreeMap;
 
+use kernels::emission::dawson;
 use kernels::{erfcx, gauss_legendre, phi_one};
 use serde::Deserialize;
 use tetralux::gpu::shader::compose;
@@ -81,6 +85,16 @@ fn horner(coefficients: &[f64], x: f32) -> f32 {
 
 /// The largest relative error of a polynomial, evaluated in f32, over its range.
 fn worst_error(name: &str, coefficients: &[f64], range: [f64; 2]) -> f64 {
+    // A rational function is checked as a whole.
+    let partner = |name: &str| match &tables()[name] {
+        Table::Polynomial { coefficients, .. } => coefficients.clone(),
+        Table::Quadrature { .. } => panic!("'{name}' is no polynomial"),
+    };
+    let (numerator, denominator) = match name {
+        "dawson_numerator" => (coefficients.to_vec(), partner("dawson_denominator")),
+        "dawson_denominator" => (partner("dawson_numerator"), coefficients.to_vec()),
+        _ => (coefficients.to_vec(), vec![1.0]),
+    };
     // Even steps, and steps of the logarithm: the range of erfcx is long.
     let [low, high] = range;
     let steps = 20_000;
@@ -92,8 +106,20 @@ fn worst_error(name: &str, coefficients: &[f64], range: [f64; 2]) -> f64 {
             let (got, want) = match name {
                 "erfcx" => (horner(coefficients, (x - 2.0) / (x + 2.0)) / (1.0 + 2.0 * x), erfcx(f64::from(x))),
                 "phi_one" | "phi_one_half" => (horner(coefficients, x), phi_one(f64::from(x))),
+                "quarter_sine" => (x * horner(coefficients, x * x), (std::f64::consts::FRAC_PI_2 * f64::from(x)).sin()),
+                "sinc_complement" => (
+                    x * x * horner(coefficients, x * x),
+                    kernels::waves::sinc_complement(f64::from(x) / std::f64::consts::PI),
+                ),
+                "dawson_numerator" | "dawson_denominator" => {
+                    (x * horner(&numerator, x * x) / horner(&denominator, x * x), dawson(f64::from(x)))
+                }
+                "dawson_tail" => (0.5 * horner(coefficients, 1.0 / (x * x)) / x, dawson(f64::from(x))),
                 _ => panic!("'{name}' has no definition here"),
             };
+            if want.abs() < 1e-30 {
+                return 0.0;
+            }
             let error = ((f64::from(got) - want) / want).abs();
             if error.is_nan() { f64::INFINITY } else { error }
         })
@@ -144,7 +170,7 @@ fn polynomials_hold_their_errors() {
             seen += 1;
         }
     }
-    assert_eq!(seen, 3);
+    assert_eq!(seen, 8);
 }
 
 #[test]

@@ -1,25 +1,9 @@
-#import math/optics
-#import math/widget
 #import shared/bands
+#import shared/curves
+#import shared/integrals
 
 // The transfer function (group 2), over scalars and gradient magnitudes normalised to 0..1 and mesh-space lengths,
 // and the integral of one segment under it.
-
-struct Widget {
-    // Whitening: row-major 2 x 2 matrix that brings the Gaussian to exp(-|p|^2).
-    whiten: vec4f,
-    center: vec2f,
-    extinction: f32,
-    // 0 uniform, 1 Gaussian.
-    shape: u32,
-    color: vec3f,
-    pad: f32,
-    // Closed ranges; infinite ones are given as -1..2, beyond every normalised value.
-    scalar_low: f32,
-    scalar_high: f32,
-    gradient_low: f32,
-    gradient_high: f32,
-}
 
 // A linear piece of a 1D function; the first and last are constant and reach beyond 0..1.
 struct Piece {
@@ -34,18 +18,44 @@ struct Piece {
 @group(2) @binding(1) var<uniform> pieces: array<Piece, 1024>;
 // For each of 256 equal parts of 0..1: the first and the last piece in it.
 @group(2) @binding(3) var<uniform> piece_starts: array<vec4u, 257>;
+// Pieces of windows and ramps: (u, weight) at both ends.
+@group(2) @binding(6) var<uniform> knots: array<vec4f, 512>;
 
 override WIDGETS: u32 = 0u;
 override PIECES: u32 = 0u;
-// Gradient magnitudes matter.
-override BIVARIATE: bool = false;
-// Any widget is a Gaussian; any has ranges.
-override GAUSSIANS: bool = false;
-override RANGES: bool = false;
+
+fn widget_count() -> u32 {
+    return WIDGETS;
+}
+
+fn widget_at(k: u32) -> Widget {
+    return widgets[k];
+}
+
+fn knots_at(i: u32) -> vec4f {
+    return knots[i];
+}
+
+// Emission and extinction at a point.
+fn classify(p: vec2f) -> vec4f {
+    if PIECES > 0u {
+        return classify_curve(p.x);
+    }
+    return classify_widgets(p);
+}
 
 // Premultiplied colour and transmittance of the segment from front to back.
 fn segment(scalars: vec2f, gradients: vec2f, extent: f32) -> vec4f {
     if PIECES > 0u {
+        if from_points() {
+            return point_segment(Segment(vec2f(scalars.x, 0.0), vec2f(scalars.y, 0.0), extent));
+        }
+        if INTEGRAL == PREINTEGRATED {
+            return preintegrated_segment(scalars, extent);
+        }
+        if INTEGRAL == PARTIAL {
+            return partial_curve_segment(scalars, extent);
+        }
         return curve_segment(scalars, extent);
     }
     return widget_segment(scalars, gradients, extent);
@@ -99,40 +109,4 @@ fn curve_segment(scalars: vec2f, extent: f32) -> vec4f {
         }
     }
     return vec4f(color, transmittance);
-}
-
-// Sums of widgets: depths are exact and add; the colours are weighted by their depths.
-fn widget_segment(scalars: vec2f, gradients: vec2f, extent: f32) -> vec4f {
-    var depth = 0.0;
-    var emission = vec3f(0.0);
-    for (var k = 0u; k < WIDGETS; k++) {
-        let d = widget_depth(k, scalars, gradients, extent);
-        depth += d;
-        emission += d * widgets[k].color;
-    }
-    return vec4f(emission * phi_one(depth), attenuation(depth));
-}
-
-fn widget_depth(k: u32, scalars: vec2f, gradients: vec2f, extent: f32) -> f32 {
-    let w = widgets[k];
-    var inside = vec2f(0.0, 1.0);
-    if RANGES {
-        inside = clip_to_range(inside, scalars.x, scalars.y, w.scalar_low, w.scalar_high);
-        if BIVARIATE {
-            inside = clip_to_range(inside, gradients.x, gradients.y, w.gradient_low, w.gradient_high);
-        }
-    }
-    let share = inside.y - inside.x;
-    if !(share > 0.0) {
-        return 0.0;
-    }
-    var mean = 1.0;
-    if GAUSSIANS && w.shape == 1u {
-        let front = vec2f(mix(scalars.x, scalars.y, inside.x), mix(gradients.x, gradients.y, inside.x)) - w.center;
-        let back = vec2f(mix(scalars.x, scalars.y, inside.y), mix(gradients.x, gradients.y, inside.y)) - w.center;
-        mean = gaussian_mean(vec2f(dot(w.whiten.xy, front), dot(w.whiten.zw, front)),
-                             vec2f(dot(w.whiten.xy, back), dot(w.whiten.zw, back)));
-    }
-    // Absurd extinctions stay finite.
-    return min(w.extinction * extent, 1e25) * share * mean;
 }

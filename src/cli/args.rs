@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::parse;
 use crate::mesh::synth::Sample;
-use crate::renderer;
+use crate::renderer::{self, SegmentIntegral};
 
 /// Volume rendering of unstructured meshes with transfer functions of a scalar and its gradient magnitude.
 #[derive(Debug, Parser)]
@@ -178,9 +178,11 @@ pub(super) struct ChoiceArgs {
     /// In which order cells are blended
     #[arg(long, default_value = "centroid")]
     pub order: Order,
-    /// How one ray segment in one cell is integrated
-    #[arg(long, default_value = "analytic")]
-    pub integral: Integral,
+    /// How one ray segment in one cell is integrated: vertex-linear, mean-scalar, preintegrated[:N], partial[:N],
+    /// partial-direct, analytic, segmented:N, adaptive[:TOLERANCE]
+    #[arg(long, default_value_t)]
+    #[serde(serialize_with = "as_text")]
+    pub integral: SegmentIntegral,
     /// Where cells are sorted; auto: on the host for software adapters
     #[arg(long, default_value = "auto")]
     pub sort: Sort,
@@ -199,9 +201,7 @@ impl ChoiceArgs {
             method: match self.method {
                 Method::Project => renderer::Method::Project,
             },
-            integral: match self.integral {
-                Integral::Analytic => renderer::SegmentIntegral::Analytic,
-            },
+            integral: self.integral,
             order: match self.order {
                 Order::Centroid => renderer::OrderMethod::Centroid,
             },
@@ -256,11 +256,9 @@ pub(super) enum Order {
     Centroid,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub(super) enum Integral {
-    /// Closed-form optical depth
-    Analytic,
+/// As it is written on the command line.
+fn as_text<S: serde::Serializer>(value: &impl std::fmt::Display, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(value)
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]

@@ -119,7 +119,7 @@ impl<'a> Report<'a> {
         let _ = writeln!(text, "on        {}", self.adapter);
         let _ = writeln!(
             text,
-            "plan      {:?}, {:?} integral, {:?} order, culling {}",
+            "plan      {:?}, {} integral, {:?} order, culling {}",
             choices.method,
             choices.integral,
             choices.order,

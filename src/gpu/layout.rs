@@ -54,7 +54,7 @@ pub struct Counts {
     pub pad_c: u32,
 }
 
-/// `shared/transfer.wgsl`.
+/// `shared/widgets.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 #[expect(missing_docs, reason = "the fields are documented in the shader")]
@@ -64,11 +64,39 @@ pub struct Widget {
     pub extinction: f32,
     pub shape: u32,
     pub color: [f32; 3],
-    pub pad: f32,
+    pub pad_a: f32,
     pub scalar_low: f32,
     pub scalar_high: f32,
     pub gradient_low: f32,
     pub gradient_high: f32,
+    pub window_direction: [f32; 2],
+    pub pad_b: [f32; 2],
+    pub knots: [u32; 4],
+}
+
+/// `segments.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "the fields are documented in the shader")]
+pub struct SegmentCase {
+    pub front: [f32; 2],
+    pub back: [f32; 2],
+    pub extent: f32,
+    pub first_widget: u32,
+    pub widget_count: u32,
+    pub pad: u32,
+}
+
+/// `segments.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "the fields are documented in the shader")]
+pub struct SegmentResult {
+    pub color: [f32; 4],
+    pub pieces: u32,
+    pub pad_a: u32,
+    pub pad_b: u32,
+    pub pad_c: u32,
 }
 
 /// `shared/transfer.wgsl`.

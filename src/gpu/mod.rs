@@ -2,17 +2,20 @@
 
 mod cells;
 mod device;
+mod integral;
 pub mod layout;
 mod mesh;
 mod record;
 mod renderer;
 mod scene;
+pub mod segments;
 pub mod shader;
 mod slabs;
 mod sort;
 mod store;
 mod target;
 mod transfer;
+mod widgets;
 
 pub use device::{DeviceChoice, Gpu};
 pub use renderer::GpuRenderer;

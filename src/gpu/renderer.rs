@@ -17,8 +17,10 @@ use crate::gpu::store::{BAND_BITS, Pieces, Store};
 use crate::gpu::target::Target;
 use crate::gpu::transfer::TransferBuffers;
 use crate::plan::near::{self, NearCut};
-use crate::renderer::{BlendFormat, BufferSize, Frame, Rendered, Renderer, Settings, SortPlace, Stats};
-use crate::scene::{Camera, Optics, Projection, TransferFunction};
+use crate::renderer::{
+    BlendFormat, BufferSize, Frame, Rendered, Renderer, SegmentIntegral, Settings, SortPlace, Stats,
+};
+use crate::scene::{Camera, EmissionModel, Projection, TransferFunction};
 use crate::tet::TetMesh;
 
 /// Nothing in front of what lies behind.
@@ -90,17 +92,34 @@ impl GpuRenderer {
     }
 
     /// Makes kernels and marks candidates where the transfer function or the kind of projection changed.
-    fn prepare_scene(&mut self, transfer: &TransferFunction, perspective: bool) -> Result<()> {
-        if self.scene.as_ref().is_some_and(|s| s.transfer.source == *transfer && s.perspective == perspective) {
+    fn prepare_scene(&mut self, transfer: &TransferFunction, emission: EmissionModel, perspective: bool) -> Result<()> {
+        let same = |s: &SceneKernels| {
+            s.transfer.source == *transfer && s.transfer.emission == emission && s.perspective == perspective
+        };
+        if self.scene.as_ref().is_some_and(same) {
             return Ok(());
         }
-        self.make_scene(transfer, perspective, true)
+        self.make_scene(transfer, emission, perspective, true)
     }
 
     /// `in_bands`: draw cells band by band where that is possible.
-    fn make_scene(&mut self, transfer: &TransferFunction, perspective: bool, in_bands: bool) -> Result<()> {
+    fn make_scene(
+        &mut self,
+        transfer: &TransferFunction,
+        emission: EmissionModel,
+        perspective: bool,
+        in_bands: bool,
+    ) -> Result<()> {
         let m = &self.store.mesh;
-        let transfer = TransferBuffers::new(&self.gpu, transfer, m.scalar, m.gradient, self.mesh.data_per_mesh)?;
+        let transfer = TransferBuffers::new(
+            &self.gpu,
+            transfer,
+            self.settings.integral,
+            emission,
+            m.scalar,
+            m.gradient,
+            self.mesh.data_per_mesh,
+        )?;
         if transfer.bivariate {
             self.store.need_gradients(&self.gpu, &self.mesh);
         }
@@ -109,11 +128,15 @@ impl GpuRenderer {
             self.store.need_bands(&self.gpu);
         }
         let mut extra = self.store.constants().to_vec();
-        extra.push(("CULL", f64::from(u8::from(self.settings.cull))));
+        // What is transparent glows, too, where emission is not weighted by extinction.
+        let cull = self.settings.cull && emission == EmissionModel::Weighted;
+        extra.push(("CULL", f64::from(u8::from(cull))));
         let candidates = scene::candidates(&self.gpu, &transfer, &extra)?;
         self.mark_candidates(&candidates, &transfer, None)?;
         let mut bands = None;
-        if curve && in_bands {
+        // Bands are drawn by the exact integral.
+        let exact = matches!(self.settings.integral, SegmentIntegral::Analytic | SegmentIntegral::Adaptive { .. });
+        if curve && in_bands && exact {
             let totals = self.band_totals()?;
             bands = self.store.holds_bands(totals.bands.into(), totals.most).then_some(totals.bands);
             let deep = f32::from_bits(totals.deepest) > THIN;
@@ -153,7 +176,7 @@ impl GpuRenderer {
             self.store = Store::new(&self.gpu, &self.mesh, on_host, vertices, tets)?;
             // Candidates, and the constants that say how tetrahedra are bound, are of the old buffers.
             let scene = self.scene.take().ok_or_else(unprepared)?;
-            self.prepare_scene(&scene.transfer.source, scene.perspective)?;
+            self.prepare_scene(&scene.transfer.source, scene.transfer.emission, scene.perspective)?;
         }
         let mut pieces = self.store.put_pieces(&self.gpu, &self.mesh, cut, bivariate);
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
@@ -163,7 +186,7 @@ impl GpuRenderer {
             pieces.bands = added.bands;
             if !self.store.holds_bands(u64::from(bands) + u64::from(added.bands), added.most) {
                 let scene = self.scene.take().ok_or_else(unprepared)?;
-                self.make_scene(&scene.transfer.source, scene.perspective, false)?;
+                self.make_scene(&scene.transfer.source, scene.transfer.emission, scene.perspective, false)?;
                 let scene = self.scene.as_ref().ok_or_else(unprepared)?;
                 self.mark_candidates(&scene.candidates, &scene.transfer, Some(pieces))?;
             }
@@ -172,28 +195,21 @@ impl GpuRenderer {
         Ok(pieces)
     }
 
-    fn resources<'a>(&'a self, t: &'a TransferBuffers) -> Resources<'a> {
-        self.store
-            .resources()
-            .with("frame", &self.frame)
-            .with("widgets", &t.widgets)
-            .with("pieces", &t.pieces)
-            .with("nodes", &t.nodes)
-            .with("piece_starts", &t.piece_starts)
-            .with("node_values", &t.node_values)
+    fn resources<'a>(&'a self, transfer: &'a TransferBuffers) -> Resources<'a> {
+        transfer.offer(self.store.resources().with("frame", &self.frame))
     }
 
     /// Draws a frame; the picture is left in the target.
     fn draw_frame(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Drawn> {
-        if *frame.optics != Optics::PLAIN {
+        if frame.optics.uses_gradients() {
             return Err(Error::Asked(
-                "unweighted emission, lighting and silhouettes cannot be drawn on a graphics device yet: use --device \
+                "lighting and silhouettes cannot be drawn on a graphics device yet: use --device \
                  oracle"
                     .into(),
             ));
         }
         let perspective = matches!(frame.camera.projection, Projection::Perspective { .. });
-        self.prepare_scene(frame.transfer, perspective)?;
+        self.prepare_scene(frame.transfer, frame.optics.emission, perspective)?;
         if self.target.as_ref().is_none_or(|t| t.size != frame.size) {
             self.target = Some(Target::new(&self.gpu, frame.size, self.f16)?);
         }

@@ -1,9 +1,19 @@
 //! What the formulas of `shaders/math` should give: their definitions in f64, by quadrature or by other algebra, over
 //! sweeps that hold the hard corners. The tests compare translations and devices with them.
 
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex};
+
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
 use statrs::function::erf::erfc;
+
+#[path = "kernels/emission.rs"]
+pub mod emission;
+#[path = "kernels/pieces.rs"]
+mod pieces;
+#[path = "kernels/waves.rs"]
+pub mod waves;
 
 /// Numbers that one call takes, at most.
 pub const ARGUMENTS: usize = 6;
@@ -39,12 +49,20 @@ pub const fn budget(kernel: &'static str, result: usize, measure: Measure, most:
     Budget { kernel, result, measure, most }
 }
 
+/// What the definition gives at every input; computed once a process.
+pub fn truths(kernel: &Kernel) -> Arc<Vec<[f64; 2]>> {
+    static KNOWN: Mutex<BTreeMap<&str, Arc<Vec<[f64; 2]>>>> = Mutex::new(BTreeMap::new());
+    let mut known = KNOWN.lock().expect("no test panics here");
+    let compute = || Arc::new(kernel.inputs.iter().map(|x| (kernel.truth)(x.map(f64::from))).collect());
+    Arc::clone(known.entry(kernel.name).or_insert_with(compute))
+}
+
 /// The largest error and where it is; infinite for NaN.
 pub fn worst(kernel: &Kernel, got: &[[f64; 2]], result: usize, measure: Measure) -> (f64, String) {
     assert_eq!(got.len(), kernel.inputs.len());
     let mut worst = (0.0, String::new());
-    for (input, got) in kernel.inputs.iter().zip(got) {
-        let want = (kernel.truth)(input.map(f64::from))[result];
+    for ((input, got), want) in kernel.inputs.iter().zip(got).zip(truths(kernel).iter()) {
+        let want = want[result];
         let error = match measure {
             Measure::Absolute => (got[result] - want).abs(),
             Measure::Relative if want.abs() > 1e-30 => ((got[result] - want) / want).abs(),
@@ -72,7 +90,7 @@ pub fn check(kernel: &Kernel, got: &[[f64; 2]], budgets: &[Budget]) -> Result<St
 
 /// Results of a kernel that is right but for an error in one of them, half as large again as its budget.
 pub fn planted(kernel: &Kernel, budget: &Budget) -> Vec<[f64; 2]> {
-    let mut results: Vec<_> = kernel.inputs.iter().map(|x| (kernel.truth)(x.map(f64::from))).collect();
+    let mut results = truths(kernel).to_vec();
     // Where the result is not tiny: its own digits hold the error.
     let at = results.iter().position(|r| r[budget.result].abs() > 0.1).expect("a result that is not tiny");
     let scale = if budget.measure == Measure::Relative { results[at][budget.result] } else { 1.0 };
@@ -82,12 +100,35 @@ pub fn planted(kernel: &Kernel, budget: &Budget) -> Vec<[f64; 2]> {
 
 /// Results of a kernel that is right but for a NaN.
 pub fn planted_nan(kernel: &Kernel) -> Vec<[f64; 2]> {
-    let mut results: Vec<_> = kernel.inputs.iter().map(|x| (kernel.truth)(x.map(f64::from))).collect();
+    let mut results = truths(kernel).to_vec();
     results[3] = [f64::NAN; 2];
     results
 }
 
+/// All of `shaders/math`, each file once; `real.wgsl`, which says what a number is, first.
+pub fn all_math() -> String {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders/math");
+    let mut files: Vec<_> =
+        std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()).collect();
+    files.sort_by_key(|path| (!path.ends_with("real.wgsl"), path.clone()));
+    let text = |path: &std::path::PathBuf| std::fs::read_to_string(path).expect("a shader file");
+    let mut source = String::new();
+    for line in files.iter().map(text).collect::<String>().lines().filter(|line| !line.starts_with("#import ")) {
+        source += line;
+        source.push('\n');
+    }
+    source
+}
+
 pub fn all() -> Vec<Kernel> {
+    let mut kernels = basic();
+    kernels.extend(waves::kernels());
+    kernels.extend(emission::kernels());
+    kernels.extend(pieces::kernels());
+    kernels
+}
+
+fn basic() -> Vec<Kernel> {
     vec![
         Kernel {
             name: "attenuation",
@@ -113,7 +154,7 @@ pub fn all() -> Vec<Kernel> {
             name: "gaussian_mean",
             call: "gaussian_mean(real2(x[0], x[1]), real2(x[2], x[3]))",
             inputs: gaussian_segments(),
-            truth: |x| [gaussian_mean([x[0], x[1]], [x[2], x[3]]), 0.0],
+            truth: |x| [gaussian_mean([x[0], x[1]], [x[2], x[3]], [1.0; 2]), 0.0],
         },
         // An empty part may be given in many ways: the share, and the share times the start, are what counts.
         Kernel {
@@ -264,20 +305,20 @@ fn thin_weights(a: f64, b: f64) -> [f64; 2] {
     [-(-depth(1.0)).exp_m1(), front]
 }
 
-/// The mean of `exp(-|p|^2)` along the segment, where it is not below 1e-27 of its largest value.
-fn gaussian_mean(front: [f64; 2], back: [f64; 2]) -> f64 {
+/// The mean of `exp(-|p|^2)` times a linear weight along the segment, where it is not below 1e-27 of its largest value.
+fn gaussian_mean(front: [f64; 2], back: [f64; 2], weights: [f64; 2]) -> f64 {
     let step = [back[0] - front[0], back[1] - front[1]];
     let extent = step[0].hypot(step[1]);
     let height = |x: f64| (-(front[0] + x * step[0]).powi(2) - (front[1] + x * step[1]).powi(2)).exp();
     if extent < 1e-12 {
-        return height(0.0);
+        return height(0.0) * 0.5 * (weights[0] + weights[1]);
     }
-    let nearest = -(front[0] * step[0] + front[1] * step[1]) / (extent * extent);
+    let nearest = (-(front[0] * step[0] + front[1] * step[1]) / (extent * extent)).clamp(0.0, 1.0);
     let (from, to) = ((nearest - 8.0 / extent).max(0.0), (nearest + 8.0 / extent).min(1.0));
     if from >= to {
         return 0.0;
     }
-    integral(from, to, 16, height)
+    integral(from, to, 16, |x| height(x) * (weights[0] + x * (weights[1] - weights[0])))
 }
 
 /// The share of the part of `within` where the value lies in the range, and that times its start: ends by bisection.

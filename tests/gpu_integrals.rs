@@ -1,0 +1,180 @@
+//! Pictures by every integral against the oracle's, cells in the same order: how near each is, and what it refuses.
+
+#![expect(clippy::print_stdout, reason = "what was measured, for `--nocapture`")]
+
+mod common;
+
+use std::sync::Arc;
+
+use common::{gpu, meshes};
+use glam::DVec3;
+use tetralux::image::{Comparison, Image};
+use tetralux::mesh::synth::Sample;
+use tetralux::oracle::Oracle;
+use tetralux::plan::order::centroid_depth;
+use tetralux::renderer::{Frame, Renderer as _, SegmentIntegral, Settings};
+use tetralux::scene::{
+    Camera, Curve, CurveNode, EmissionModel, Optics, Projection, SinusoidVariant, TransferFunction, Widget,
+    WidgetShape, Window,
+};
+use tetralux::tet::TetMesh;
+
+const SIZE: [u32; 2] = [96, 96];
+
+fn mesh() -> Arc<TetMesh> {
+    meshes::sample(Sample::Tangle, 6_000)
+}
+
+fn camera(mesh: &TetMesh) -> Camera {
+    let (target, diagonal) = meshes::center_and_diagonal(mesh);
+    let eye = target + diagonal * DVec3::new(0.7, 0.45, 0.85);
+    Camera { eye, target, up: DVec3::Y, projection: Projection::Perspective { fov_y: 0.8 }, near: None }
+}
+
+/// Every shape in turn, in two colours and more.
+fn widgets(mesh: &TetMesh) -> TransferFunction {
+    let (s, g) = (mesh.scalar_range(), mesh.gradient_range());
+    let (_, diagonal) = meshes::center_and_diagonal(mesh);
+    let at = |x: f64| s.min + x * s.length();
+    let steep = |x: f64| g.min + x * g.length();
+    let along = [1.0 / s.length(), 0.0];
+    let offset = s.min / s.length();
+    let window = Some(Window { direction: [0.0, 1.0], knots: vec![[steep(0.1), 0.2], [steep(0.6), 1.0]] });
+    TransferFunction::Widgets(vec![
+        Widget {
+            window,
+            ..Widget::new(
+                WidgetShape::Triangle { direction: along, offset, period: 0.2, duty: 0.5 },
+                [1.0, 0.2, 0.1],
+                40.0 / diagonal,
+            )
+        },
+        Widget::new(
+            WidgetShape::Sinusoid { direction: along, offset, period: 0.3, variant: SinusoidVariant::Cos },
+            [0.1, 0.9, 0.2],
+            5.0 / diagonal,
+        ),
+        Widget::new(
+            WidgetShape::Ramp { direction: [1.0, 0.0], knots: vec![[at(0.5), 0.0], [at(0.6), 1.0], [at(0.9), 0.3]] },
+            [0.1, 0.3, 1.0],
+            10.0 / diagonal,
+        ),
+        Widget {
+            gradient_range: Some([steep(0.2), steep(0.8)]),
+            ..Widget::new(
+                WidgetShape::Gaussian {
+                    center: [at(0.3), steep(0.4)],
+                    sigma: [0.04 * s.length(), 0.3 * g.length()],
+                    angle: 0.0,
+                },
+                [1.0, 1.0, 0.2],
+                40.0 / diagonal,
+            )
+        },
+    ])
+}
+
+fn curve(mesh: &TetMesh) -> TransferFunction {
+    let s = mesh.scalar_range();
+    let (_, diagonal) = meshes::center_and_diagonal(mesh);
+    let nodes = [
+        (0.0, 0.0, [0.0, 0.0, 1.0]),
+        (0.3, 2.0, [0.0, 1.0, 1.0]),
+        (0.32, 60.0, [1.0, 0.2, 0.0]),
+        (0.35, 2.0, [1.0, 1.0, 0.0]),
+        (1.0, 15.0, [0.2, 1.0, 0.2]),
+    ];
+    let node = |(x, depth, color): (f64, f64, [f64; 3])| CurveNode {
+        scalar: s.min + x * s.length(),
+        color,
+        extinction: depth / diagonal,
+    };
+    TransferFunction::Curve(Curve { nodes: nodes.map(node).to_vec() })
+}
+
+fn draw(mesh: &Arc<TetMesh>, transfer: &TransferFunction, integral: &str, optics: &Optics) -> tetralux::Result<Image> {
+    let integral: SegmentIntegral = integral.parse()?;
+    let mut renderer = gpu::renderer(mesh, Settings { integral, ..Default::default() });
+    let camera = camera(mesh);
+    let frame = Frame { camera: &camera, transfer, optics, size: SIZE, background: [0.0; 4] };
+    Ok(renderer.render(&frame, false)?.image)
+}
+
+fn truth(mesh: &Arc<TetMesh>, transfer: &TransferFunction, optics: &Optics) -> Image {
+    let camera = camera(mesh);
+    let frame = Frame { camera: &camera, transfer, optics, size: SIZE, background: [0.0; 4] };
+    Oracle::new(mesh.clone()).render_in_order(&frame, &centroid_depth(mesh, &camera)).expect("a picture")
+}
+
+/// Checks that each integral's signal-to-noise ratio lies between the bounds, decibels: no worse, and not better than it
+/// can be, which would be a truth that errs alike.
+fn check(transfer: &TransferFunction, optics: &Optics, expected: &[(&str, f64, f64)]) {
+    let mesh = mesh();
+    let want = truth(&mesh, transfer, optics);
+    let mut wrong = Vec::new();
+    for &(integral, least, most) in expected {
+        let got = draw(&mesh, transfer, integral, optics).expect(integral);
+        let comparison = Comparison::new(&got, &want).expect("equal sizes");
+        println!("{integral}: {:.1} dB, worst pixel {:.1e}", comparison.psnr, comparison.max);
+        if !(least..=most).contains(&comparison.psnr) {
+            wrong.push(format!("{integral}: {:.1} dB, not {least} to {most}", comparison.psnr));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn widgets_by_every_integral() {
+    check(
+        &widgets(&mesh()),
+        &Optics::PLAIN,
+        &[
+            ("adaptive:1e-4", 100.0, 200.0), // 111.6
+            ("adaptive:1e-3", 85.0, 200.0),  // 91.0
+            ("adaptive:1e-2", 65.0, 100.0),  // 70.1
+            ("analytic", 40.0, 60.0),        // 42.9: colours mixed as if evenly
+            ("partial-direct", 44.0, 60.0),  // 47.5: sinusoids linear by eighths
+            ("partial", 44.0, 60.0),         // 47.5
+            ("segmented:32", 66.0, 90.0),    // 71.7
+            ("segmented:4", 45.0, 60.0),     // 49.1
+            ("mean-scalar", 28.0, 40.0),     // 32.2
+            ("vertex-linear", 20.0, 30.0),   // 24.4
+        ],
+    );
+}
+
+#[test]
+fn curves_by_every_integral() {
+    check(
+        &curve(&mesh()),
+        &Optics::PLAIN,
+        &[
+            ("adaptive", 105.0, 200.0),        // 115.0
+            ("analytic", 105.0, 200.0),        // 115.0
+            ("partial-direct", 105.0, 200.0),  // 115.5
+            ("partial", 100.0, 200.0),         // 111.2
+            ("preintegrated:256", 60.0, 80.0), // 65.4
+            ("preintegrated:32", 33.0, 50.0),  // 37.2: the band is narrower than a node
+            ("segmented:16", 46.0, 65.0),      // 51.7
+            ("mean-scalar", 16.0, 25.0),       // 18.9
+            ("vertex-linear", 14.0, 25.0),     // 17.7
+        ],
+    );
+}
+
+#[test]
+fn unweighted_emission_glows() {
+    let optics = Optics { emission: EmissionModel::Unweighted, ..Optics::PLAIN };
+    check(&widgets(&mesh()), &optics, &[("adaptive", 40.0, 200.0)]);
+}
+
+#[test]
+fn what_cannot_be_drawn_is_refused() {
+    let mesh = mesh();
+    let refusal = |transfer: &TransferFunction, integral: &str, optics: &Optics| {
+        draw(&mesh, transfer, integral, optics).expect_err("a refusal").to_string()
+    };
+    assert!(refusal(&widgets(&mesh), "preintegrated", &Optics::PLAIN).contains("functions of the scalar alone"));
+    let glow = Optics { emission: EmissionModel::Unweighted, ..Optics::PLAIN };
+    assert!(refusal(&curve(&mesh), "adaptive", &glow).contains("unweighted emission of a curve"));
+}
