@@ -20,6 +20,7 @@
 
 @group(1) @binding(0) var<storage, read> vertices: array<vec4f>;
 @group(1) @binding(1) var<storage, read> gradients: array<f32>;
+@group(1) @binding(2) var<storage, read> gradient_vectors: array<f32>; // three a vertex; the largest has length 1
 @group(3) @binding(0) var<uniform> chunk: Chunk;
 @group(3) @binding(1) var<storage, read> counts: Counts;
 @group(3) @binding(2) var<storage, read> order: array<u32>; // cells, or bands of cells, back to front
@@ -28,7 +29,8 @@
 // Four corners a cell; per corner: clip xy; 1/z and scalar/z; three tent functions; then, of the first corner alone, at
 // the apex, the thickness (negative where the front is the interpolated side) and the change of scalar/z from the
 // interpolated to the other side; with BIVARIATE gradient/z and its change; with BANDS the piece, as 4 x piece + 1 where
-// the band is not clipped below + 2 where it is not above, and the scalar is 0 and 1 at the band's ends.
+// the band is not clipped below + 2 where it is not above, and the scalar is 0 and 1 at the band's ends. With SHADED the
+// gradient vector/z in view axes, and its change, come last.
 //
 // Few and plain stores: on a software adapter they were most of the time of this pass.
 @group(3) @binding(5) var<storage, read_write> corners: array<f32>;
@@ -41,6 +43,7 @@ struct Chunk {
 }
 
 override BIVARIATE: bool = false;
+override SHADED: bool = false;
 
 // Volume of the eye and a face (perspective), or the face's area seen along the view (orthographic), times 6 or 2.
 // The two cells at a face pass its vertices in the same order and get the same bits.
@@ -81,6 +84,7 @@ fn outline(front: vec4<bool>, count: u32) -> vec4u {
 const FLOATS: u32 = 9u;
 const BANDS_FLOATS: u32 = 10u;
 const BIVARIATE_FLOATS: u32 = 11u;
+const SHADED_FLOATS: u32 = 6u; // more
 // How much larger outlines are drawn, pixels: twice the rasteriser's grid.
 const HAIR: f32 = 0.0078125;
 const NO_CUT: f32 = 2.0;
@@ -115,6 +119,20 @@ fn put_corner(at: u32, corner: Corner, middle: Corner, growth: f32) {
     if BIVARIATE {
         corners[at + 9u] = plane.z;
     }
+}
+
+// Of a vertex, in view axes.
+fn gradient_vector(vertex: u32) -> vec3f {
+    let at = 3u * vertex;
+    let vector = vec3f(gradient_vectors[at], gradient_vectors[at + 1u], gradient_vectors[at + 2u]);
+    return vec3f(frame.ray_per_clip_x * dot(frame.x_row, vector), frame.ray_per_clip_y * dot(frame.y_row, vector),
+                 dot(frame.forward, vector));
+}
+
+fn put_vector(at: u32, vector: vec3f) {
+    corners[at] = vector.x;
+    corners[at + 1u] = vector.y;
+    corners[at + 2u] = vector.z;
 }
 
 // Distance of the line through a and b from the origin.
@@ -252,7 +270,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
                         third * (a.tent + b.tent + c.tent));
         growth = growth_about(middle.clip, a.clip, b.clip, c.clip, c.clip);
     }
-    let size = select(select(FLOATS, BANDS_FLOATS, BANDS), BIVARIATE_FLOATS, BIVARIATE);
+    let plain_size = select(select(FLOATS, BANDS_FLOATS, BANDS), BIVARIATE_FLOATS, BIVARIATE);
+    let size = plain_size + select(0u, SHADED_FLOATS, SHADED);
     let at = place * 4u * size;
     put_corner(at, a, middle, growth);
     put_corner(at + size, b, middle, growth);
@@ -265,5 +284,23 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     }
     if BANDS {
         corners[at + 9u] = f32(piece * 4u + open);
+    }
+    if SHADED {
+        let weights = back_weights * scales.y - front_weights * scales.x;
+        let change = weights.x * gradient_vector(tet.x) + weights.y * gradient_vector(tet.y)
+            + weights.z * gradient_vector(tet.z) + weights.w * gradient_vector(tet.w);
+        let over_depth = vec4f(inverse_depths[ring.x], inverse_depths[ring.y], inverse_depths[ring.z],
+                               inverse_depths[ring.w]);
+        let va = over_depth.x * gradient_vector(tet[ring.x]);
+        let vb = over_depth.y * gradient_vector(tet[ring.y]);
+        let vc = over_depth.z * gradient_vector(tet[ring.z]);
+        let vd = over_depth.w * gradient_vector(tet[ring.w]);
+        let center = select((1.0 / 3.0) * (va + vb + vc), 0.5 * (va + vc), count == 2u);
+        let first = at + plain_size;
+        put_vector(first, va + growth * (va - center));
+        put_vector(first + size, vb + growth * (vb - center));
+        put_vector(first + 2u * size, vc + growth * (vc - center));
+        put_vector(first + 3u * size, vd + growth * (vd - center));
+        put_vector(first + 3u, select(change, -change, count == 1u));
     }
 }

@@ -1,4 +1,5 @@
 #import shared/frame
+#import shared/light
 #import shared/transfer
 
 // Draws the sorted cells: per fragment, entry and exit values from quantities that are affine on screen (project.wgsl,
@@ -26,6 +27,13 @@ struct BivariateCorner {
     @location(2) tent: vec3f,
     @location(3) apex: vec2f,
     @location(4) gradient: vec2f,
+}
+
+// What shading adds to any of them.
+struct ShadedCorner {
+    // Gradient vector / z, view axes; of the first corner, its change at the apex.
+    @location(5) vector: vec3f,
+    @location(6) vector_change: vec3f,
 }
 
 // All positions have w = 1, so perspective interpolation is linear. (Asked for linear interpolation, lavapipe's clipper
@@ -60,6 +68,52 @@ struct BivariateFragment {
     @location(2) @interpolate(flat) apex: vec3f,
 }
 
+// What shading adds to any of them.
+struct Shaded {
+    @location(5) vector: vec3f,
+    // Its change at the apex; the silhouettes' exponent.
+    @location(6) @interpolate(flat) vector_change: vec4f,
+    // Towards the light, ambient.
+    @location(7) @interpolate(flat) towards: vec4f,
+    // Diffuse, specular, shininess; the silhouettes' strength.
+    @location(8) @interpolate(flat) material: vec4f,
+}
+
+struct ShadedFragment {
+    @builtin(position) position: vec4f,
+    @location(0) plane_and_tent: vec4f,
+    @location(1) tent_and_ray: vec3f,
+    @location(2) @interpolate(flat) apex: vec2f,
+    @location(5) vector: vec3f,
+    @location(6) @interpolate(flat) vector_change: vec4f,
+    @location(7) @interpolate(flat) towards: vec4f,
+    @location(8) @interpolate(flat) material: vec4f,
+}
+
+struct ShadedBandFragment {
+    @builtin(position) position: vec4f,
+    @location(0) plane_and_tent: vec4f,
+    @location(1) tent_and_ray: vec3f,
+    @location(2) @interpolate(flat) apex: vec4f,
+    @location(3) @interpolate(flat) low: vec4f,
+    @location(4) @interpolate(flat) rise: vec4f,
+    @location(5) vector: vec3f,
+    @location(6) @interpolate(flat) vector_change: vec4f,
+    @location(7) @interpolate(flat) towards: vec4f,
+    @location(8) @interpolate(flat) material: vec4f,
+}
+
+struct ShadedBivariateFragment {
+    @builtin(position) position: vec4f,
+    @location(0) plane_and_tent: vec4f,
+    @location(1) tent_and_ray_and_gradient: vec4f,
+    @location(2) @interpolate(flat) apex: vec3f,
+    @location(5) vector: vec3f,
+    @location(6) @interpolate(flat) vector_change: vec4f,
+    @location(7) @interpolate(flat) towards: vec4f,
+    @location(8) @interpolate(flat) material: vec4f,
+}
+
 // x/z and y/z of the ray through a point on screen.
 fn ray(clip: vec2f) -> vec2f {
     if !PERSPECTIVE {
@@ -70,6 +124,10 @@ fn ray(clip: vec2f) -> vec2f {
 
 @vertex
 fn vertex(corner: Corner) -> Fragment {
+    return fragment_of(corner);
+}
+
+fn fragment_of(corner: Corner) -> Fragment {
     return Fragment(vec4f(corner.clip, 0.5, 1.0), vec4f(corner.plane, corner.tent.xy),
                     vec3f(corner.tent.z, ray(corner.clip)), corner.apex);
 }
@@ -79,6 +137,10 @@ const UNCLIPPED: f32 = 1e6;
 
 @vertex
 fn vertex_band(corner: BandCorner) -> BandFragment {
+    return band_fragment_of(corner);
+}
+
+fn band_fragment_of(corner: BandCorner) -> BandFragment {
     // Of the first corner; the others' are not used, and may be anything.
     let packed = u32(corner.apex.z);
     let piece = min(packed >> 2u, PIECES - 1u);
@@ -91,51 +153,116 @@ fn vertex_band(corner: BandCorner) -> BandFragment {
 
 @vertex
 fn vertex_bivariate(corner: BivariateCorner) -> BivariateFragment {
+    return bivariate_fragment_of(corner);
+}
+
+fn bivariate_fragment_of(corner: BivariateCorner) -> BivariateFragment {
     return BivariateFragment(vec4f(corner.clip, 0.5, 1.0), vec4f(corner.plane, corner.tent.xy),
                              vec4f(corner.tent.z, ray(corner.clip), corner.gradient.x),
                              vec3f(corner.apex, corner.gradient.y));
 }
 
+fn shading(corner: ShadedCorner) -> Shaded {
+    return Shaded(corner.vector, vec4f(corner.vector_change, light.exponent), vec4f(light.direction, light.ambient),
+                  vec4f(light.diffuse, light.specular, light.shininess, light.strength));
+}
+
+@vertex
+fn vertex_shaded(corner: Corner, more: ShadedCorner) -> ShadedFragment {
+    let f = fragment_of(corner);
+    let s = shading(more);
+    return ShadedFragment(f.position, f.plane_and_tent, f.tent_and_ray, f.apex,
+                          s.vector, s.vector_change, s.towards, s.material);
+}
+
+@vertex
+fn vertex_band_shaded(corner: BandCorner, more: ShadedCorner) -> ShadedBandFragment {
+    let f = band_fragment_of(corner);
+    let s = shading(more);
+    return ShadedBandFragment(f.position, f.plane_and_tent, f.tent_and_ray, f.apex, f.low, f.rise,
+                              s.vector, s.vector_change, s.towards, s.material);
+}
+
+@vertex
+fn vertex_bivariate_shaded(corner: BivariateCorner, more: ShadedCorner) -> ShadedBivariateFragment {
+    let f = bivariate_fragment_of(corner);
+    let s = shading(more);
+    return ShadedBivariateFragment(f.position, f.plane_and_tent, f.tent_and_ray_and_gradient, f.apex,
+                                   s.vector, s.vector_change, s.towards, s.material);
+}
+
 // Premultiplied colour, and transmittance in place of alpha.
 @fragment
 fn fragment(in: Fragment) -> @location(0) vec4f {
-    return shade(in);
+    return shade(in, 1.0);
 }
 
-fn shade(in: Fragment) -> vec4f {
+@fragment
+fn fragment_shaded(in: Fragment, more: Shaded) -> @location(0) vec4f {
+    return shade_more(in, more);
+}
+
+fn shade_more(in: Fragment, more: Shaded) -> vec4f {
+    let f = factors_of(more, in.plane_and_tent, in.tent_and_ray, in.apex.x);
+    return with_factors(shade(in, f.density), f);
+}
+
+// `density`: the silhouettes' factor.
+fn shade(in: Fragment, density: f32) -> vec4f {
     let plane = in.plane_and_tent;
     let tent = greater(lesser(lesser(plane.z, plane.w), in.tent_and_ray.x), 0.0);
     let depths = side_lengths(in.tent_and_ray.yz, plane.x, tent * in.apex.x);
     let scalars = front_back(plane.y, tent * in.apex.y, in.apex.x, depths.xy);
-    return segment(clamp(scalars, vec2f(0.0), vec2f(1.0)), vec2f(0.0), depths.z);
+    return segment(clamp(scalars, vec2f(0.0), vec2f(1.0)), vec2f(0.0), depths.z * density);
 }
 
 @fragment
 fn fragment_band(in: BandFragment) -> @location(0) vec4f {
-    return shade_band(in);
+    return shade_band(in, 1.0);
 }
 
-fn shade_band(in: BandFragment) -> vec4f {
+@fragment
+fn fragment_band_shaded(in: BandFragment, more: Shaded) -> @location(0) vec4f {
+    return shade_band_more(in, more);
+}
+
+fn shade_band_more(in: BandFragment, more: Shaded) -> vec4f {
+    let f = factors_of(more, in.plane_and_tent, in.tent_and_ray, in.apex.x);
+    return with_factors(shade_band(in, f.density), f);
+}
+
+fn shade_band(in: BandFragment, density: f32) -> vec4f {
     let plane = in.plane_and_tent;
     let tent = greater(lesser(lesser(plane.z, plane.w), in.tent_and_ray.x), 0.0);
     let depths = side_lengths(in.tent_and_ray.yz, plane.x, tent * in.apex.x);
     let ends = front_back(plane.y, tent * in.apex.y, in.apex.x, depths.xy);
-    return band_segment(ends, in.apex.zw, depths.z, in.low, in.rise);
+    return band_segment(ends, in.apex.zw, depths.z * density, in.low, in.rise);
 }
 
 @fragment
 fn fragment_bivariate(in: BivariateFragment) -> @location(0) vec4f {
-    return shade_bivariate(in);
+    return shade_bivariate(in, 1.0);
 }
 
-fn shade_bivariate(in: BivariateFragment) -> vec4f {
+@fragment
+fn fragment_bivariate_shaded(in: BivariateFragment, more: Shaded) -> @location(0) vec4f {
+    return shade_bivariate_more(in, more);
+}
+
+fn shade_bivariate_more(in: BivariateFragment, more: Shaded) -> vec4f {
+    let f = factors_of(more, in.plane_and_tent, in.tent_and_ray_and_gradient.xyz, in.apex.x);
+    return with_factors(shade_bivariate(in, f.density), f);
+}
+
+fn shade_bivariate(in: BivariateFragment, density: f32) -> vec4f {
     let plane = in.plane_and_tent;
     let more = in.tent_and_ray_and_gradient;
     let tent = greater(lesser(lesser(plane.z, plane.w), more.x), 0.0);
     let depths = side_lengths(more.yz, plane.x, tent * in.apex.x);
     let scalars = front_back(plane.y, tent * in.apex.y, in.apex.x, depths.xy);
     let gradients = front_back(more.w, tent * in.apex.z, in.apex.x, depths.xy);
-    return segment(clamp(scalars, vec2f(0.0), vec2f(1.0)), clamp(gradients, vec2f(0.0), vec2f(1.0)), depths.z);
+    return segment(clamp(scalars, vec2f(0.0), vec2f(1.0)), clamp(gradients, vec2f(0.0), vec2f(1.0)),
+                   depths.z * density);
 }
 
 // The same for slabs blended in f16, counting layers. With opacity: f16 tells small opacities apart, and not
@@ -151,17 +278,32 @@ fn counted(shaded: vec4f) -> Counted {
 
 @fragment
 fn fragment_counted(in: Fragment) -> Counted {
-    return counted(shade(in));
+    return counted(shade(in, 1.0));
+}
+
+@fragment
+fn fragment_shaded_counted(in: Fragment, more: Shaded) -> Counted {
+    return counted(shade_more(in, more));
 }
 
 @fragment
 fn fragment_band_counted(in: BandFragment) -> Counted {
-    return counted(shade_band(in));
+    return counted(shade_band(in, 1.0));
+}
+
+@fragment
+fn fragment_band_shaded_counted(in: BandFragment, more: Shaded) -> Counted {
+    return counted(shade_band_more(in, more));
 }
 
 @fragment
 fn fragment_bivariate_counted(in: BivariateFragment) -> Counted {
-    return counted(shade_bivariate(in));
+    return counted(shade_bivariate(in, 1.0));
+}
+
+@fragment
+fn fragment_bivariate_shaded_counted(in: BivariateFragment, more: Shaded) -> Counted {
+    return counted(shade_bivariate_more(in, more));
 }
 
 // Values at entry and exit from value/z of the interpolated side and its change to the other, and the depths of the two.
@@ -180,4 +322,13 @@ fn side_lengths(ray: vec2f, inverse: f32, thickness: f32) -> vec3f {
     let other = inverse + thickness;
     let both = 1.0 / greater(inverse * other, 1e-37);
     return vec3f(other, inverse, abs(thickness) * sqrt(1.0 + dot(ray, ray))) * both;
+}
+
+// From the gradient in the segment's middle: the mean of those at entry and exit. `thickness`: at the apex.
+fn factors_of(more: Shaded, plane_and_tent: vec4f, tent_and_ray: vec3f, thickness: f32) -> Factors {
+    let tent = max(min(min(plane_and_tent.z, plane_and_tent.w), tent_and_ray.x), 0.0);
+    let sides = side_lengths(tent_and_ray.yz, plane_and_tent.x, tent * thickness);
+    let other = more.vector + tent * more.vector_change.xyz;
+    let gradient = 0.5 * (sides.x * more.vector + sides.y * other);
+    return factors(gradient, tent_and_ray.yz, more.towards, more.material, more.vector_change.w);
 }

@@ -48,6 +48,7 @@ fn hosts() -> Vec<Host> {
             z_offset,
             pad_b,
         }),
+        host!(Light { direction, ambient, diffuse, specular, shininess, strength, exponent, pad_a, pad_b, pad_c }),
         host!(Range { first_tet, tet_count, pad_a, pad_b }),
         host!(Counts { survivors, sort_tiles, pad_a, pad_b, sort_groups_x, sort_groups_y, sort_groups_z, pad_c }),
         host!(Widget {

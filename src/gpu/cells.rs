@@ -3,8 +3,11 @@
 use crate::gpu::device::Gpu;
 use crate::gpu::layout;
 
-/// Bytes of a cell's four corners with gradients.
+/// Bytes of a cell's four corners with gradient magnitudes.
 const CORNER_BYTES: u64 = 4 * 44;
+
+/// More with gradient vectors.
+const SHADED_BYTES: u64 = 4 * 24;
 
 const STORAGE: wgpu::BufferUsages = wgpu::BufferUsages::STORAGE;
 
@@ -63,9 +66,17 @@ impl CellBuffers {
             counts: gpu.buffer("counts", size_of::<layout::Counts>() as u64, indirect | wgpu::BufferUsages::COPY_SRC),
             draws: gpu.buffer("draws", chunks * 20, indirect),
             projected: gpu.buffer("projected", vertices * 8, STORAGE),
-            corners: gpu.buffer("corners", u64::from(chunk_cells) * CORNER_BYTES, STORAGE | wgpu::BufferUsages::VERTEX),
+            corners: corners(gpu, u64::from(chunk_cells) * CORNER_BYTES),
             keys: gpu.buffer("keys", most_drawn * 4, copied),
             order: gpu.buffer("order", most_drawn * 4, copied | wgpu::BufferUsages::COPY_DST),
+        }
+    }
+
+    /// Makes room for gradient vectors at the corners of a chunk's cells, if no scene needed them before.
+    pub fn need_shaded_corners(&mut self, gpu: &Gpu, chunk_cells: u32) {
+        let size = u64::from(chunk_cells) * (CORNER_BYTES + SHADED_BYTES);
+        if self.corners.size() < size {
+            self.corners = corners(gpu, size);
         }
     }
 
@@ -89,4 +100,8 @@ impl CellBuffers {
             ("order", &self.order),
         ]
     }
+}
+
+fn corners(gpu: &Gpu, bytes: u64) -> wgpu::Buffer {
+    gpu.buffer("corners", bytes, STORAGE | wgpu::BufferUsages::VERTEX)
 }

@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 use crate::gpu::shader::{Binding, BindingKind, Module};
 
 /// What the projection's shader binds.
-const MOST_STORAGE_BUFFERS: u32 = 11;
+const MOST_STORAGE_BUFFERS: u32 = 13;
 
 /// Which adapters may be used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -435,5 +435,18 @@ fn preference(device_type: wgpu::DeviceType) -> u8 {
         wgpu::DeviceType::VirtualGpu => 2,
         wgpu::DeviceType::Other => 3,
         wgpu::DeviceType::Cpu => 4,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::shader::pass_names;
+
+    #[test]
+    fn no_pass_binds_more_than_is_asked_for() {
+        let storage = |b: &&Binding| matches!(b.kind, BindingKind::Read | BindingKind::ReadWrite);
+        let count = |pass| Module::new(pass).expect("a pass").bindings.iter().filter(storage).count();
+        assert_eq!(pass_names().map(count).max(), Some(MOST_STORAGE_BUFFERS as usize));
     }
 }

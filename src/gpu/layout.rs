@@ -28,6 +28,23 @@ pub struct Frame {
     pub pad_b: f32,
 }
 
+/// `shared/light.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "the fields are documented in the shader")]
+pub struct Light {
+    pub direction: [f32; 3],
+    pub ambient: f32,
+    pub diffuse: f32,
+    pub specular: f32,
+    pub shininess: f32,
+    pub strength: f32,
+    pub exponent: f32,
+    pub pad_a: f32,
+    pub pad_b: f32,
+    pub pad_c: f32,
+}
+
 /// `shared/range.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]

@@ -1,5 +1,6 @@
 //! The mesh on the device: what does not depend on the view.
 
+use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::gpu::device::Gpu;
@@ -48,6 +49,8 @@ pub struct MeshBuffers {
     pub vertices: wgpu::Buffer,
     /// Gradient magnitude (0..1) of each vertex; 16 bytes until a scene needs it.
     pub gradients: wgpu::Buffer,
+    /// Gradient vector of each vertex, three floats; the longest has length 1. 16 bytes until a scene needs it.
+    pub gradient_vectors: wgpu::Buffer,
     /// Vertex ids of each tetrahedron, ascending.
     pub tets: wgpu::Buffer,
     /// 6 x volume of each tetrahedron as rounded to f32, negative where ascending ids are an odd permutation.
@@ -61,6 +64,8 @@ pub struct MeshBuffers {
     /// How gradient magnitudes became 0..1.
     pub gradient: Normalisation,
     has_gradients: bool,
+    // What `gradient_vectors` holds of the mesh.
+    vectors: Vec<[f32; 3]>,
 }
 
 impl MeshBuffers {
@@ -86,6 +91,7 @@ impl MeshBuffers {
         Self {
             vertices,
             gradients,
+            gradient_vectors: gpu.storage("gradient_vectors", &[0.0f32; 4]),
             tets: tet_buffer,
             volumes,
             vertex_count: mesh.vertices.len() as u32,
@@ -93,12 +99,13 @@ impl MeshBuffers {
             scalar,
             gradient,
             has_gradients: false,
+            vectors: Vec::new(),
         }
     }
 
     /// Writes the near plane's pieces: vertices behind the mesh's, tetrahedra from `start`.
-    pub fn put_pieces(&self, gpu: &Gpu, mesh: &TetMesh, cut: &NearCut, start: u32, bivariate: bool) {
-        let narrow = |p: glam::DVec3, s: f64| [p.x as f32, p.y as f32, p.z as f32, self.scalar.apply(s) as f32];
+    pub fn put_pieces(&self, gpu: &Gpu, mesh: &TetMesh, cut: &NearCut, start: u32) {
+        let narrow = |p: DVec3, s: f64| [p.x as f32, p.y as f32, p.z as f32, self.scalar.apply(s) as f32];
         let added: Vec<[f32; 4]> = cut.vertices.iter().map(|v| narrow(v.position, v.scalar)).collect();
         let position = |v: u32| match v.checked_sub(self.vertex_count) {
             Some(i) => at(added[i as usize]),
@@ -109,10 +116,21 @@ impl MeshBuffers {
         gpu.write(&self.vertices, first_vertex * 16, bytemuck::cast_slice(&added));
         gpu.write(&self.tets, u64::from(start) * 16, bytemuck::cast_slice(&tets));
         gpu.write(&self.volumes, u64::from(start) * 4, bytemuck::cast_slice(&volumes));
-        if bivariate {
+        if self.has_gradients {
             let values: Vec<f32> =
                 cut.vertices.iter().map(|v| self.gradient.apply(v.gradient_magnitude) as f32).collect();
             gpu.write(&self.gradients, first_vertex * 4, bytemuck::cast_slice(&values));
+        }
+        if !self.vectors.is_empty() {
+            let mut made: Vec<[f32; 3]> = Vec::with_capacity(cut.vertices.len());
+            for vertex in &cut.vertices {
+                let [from, to] = vertex.ends.map(|end| match (end as usize).checked_sub(self.vectors.len()) {
+                    Some(i) => made[i],
+                    None => self.vectors[end as usize],
+                });
+                made.push(std::array::from_fn(|i| from[i] + vertex.share as f32 * (to[i] - from[i])));
+            }
+            gpu.write(&self.gradient_vectors, first_vertex * 12, bytemuck::cast_slice(&made));
         }
     }
 
@@ -124,6 +142,18 @@ impl MeshBuffers {
         let values: Vec<f32> = mesh.gradient_magnitude.par_iter().map(|&g| self.gradient.apply(g) as f32).collect();
         self.gradients = padded(gpu, "gradients", &values, spare_vertices);
         self.has_gradients = true;
+    }
+
+    /// Uploads gradient vectors, if no scene needed them before.
+    pub fn need_gradient_vectors(&mut self, gpu: &Gpu, mesh: &TetMesh, spare_vertices: u64) {
+        if !self.vectors.is_empty() {
+            return;
+        }
+        let steepest = mesh.gradient_range().max;
+        // Divided first: a reciprocal may be beyond f64.
+        let relative = |g: DVec3| if steepest > 0.0 { (g / steepest).as_vec3().to_array() } else { [0.0; 3] };
+        self.vectors = mesh.vertex_gradients().into_par_iter().map(relative).collect();
+        self.gradient_vectors = padded(gpu, "gradient_vectors", &self.vectors, spare_vertices);
     }
 }
 
@@ -143,7 +173,7 @@ pub fn ranges(tet_count: u32, max_binding: u64) -> Vec<TetRange> {
 
 /// A tetrahedron's vertices in ascending order, and 6 x its signed volume from the f32 positions: faces shared by two
 /// cells are then evaluated from the same vertices in the same order. Cells that rounding flattened get 0.
-fn ascending(tet: [u32; 4], at: impl Fn(u32) -> glam::DVec3) -> ([u32; 4], f32) {
+fn ascending(tet: [u32; 4], at: impl Fn(u32) -> DVec3) -> ([u32; 4], f32) {
     let six_volumes = |t: [u32; 4]| (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).dot(at(t[3]) - at(t[0]));
     let mut sorted = tet;
     sorted.sort_unstable();
@@ -154,8 +184,8 @@ fn ascending(tet: [u32; 4], at: impl Fn(u32) -> glam::DVec3) -> ([u32; 4], f32) 
     (sorted, six_volumes(sorted) as f32)
 }
 
-fn at(p: [f32; 4]) -> glam::DVec3 {
-    glam::DVec3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2]))
+fn at(p: [f32; 4]) -> DVec3 {
+    DVec3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2]))
 }
 
 fn padded<T: bytemuck::Pod>(gpu: &Gpu, label: &str, data: &[T], spare: u64) -> wgpu::Buffer {

@@ -2,8 +2,10 @@
 
 mod cells;
 mod device;
+mod frame;
 mod integral;
 pub mod layout;
+mod light;
 mod mesh;
 mod record;
 mod renderer;

@@ -3,14 +3,14 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use glam::{DVec3, Vec3};
-
 use crate::error::{Error, Result};
 use crate::gpu::device::{Gpu, Kernel, Resources};
+use crate::gpu::frame;
 use crate::gpu::layout;
+use crate::gpu::light::{self, Shading};
 use crate::gpu::mesh::TetRange;
 use crate::gpu::record::{Recorder, Work};
-use crate::gpu::scene::{self, SceneKernels};
+use crate::gpu::scene::{self, SceneKernels, Variant};
 use crate::gpu::slabs::{MOST_LAYERS, Slabs};
 use crate::gpu::sort;
 use crate::gpu::store::{BAND_BITS, Pieces, Store};
@@ -20,7 +20,7 @@ use crate::plan::near::{self, NearCut};
 use crate::renderer::{
     BlendFormat, BufferSize, Frame, Rendered, Renderer, SegmentIntegral, Settings, SortPlace, Stats,
 };
-use crate::scene::{Camera, EmissionModel, Projection, TransferFunction};
+use crate::scene::{EmissionModel, Projection, TransferFunction};
 use crate::tet::TetMesh;
 
 /// Nothing in front of what lies behind.
@@ -42,6 +42,7 @@ pub struct GpuRenderer {
     f16: bool,
     store: Store,
     frame: wgpu::Buffer,
+    light: wgpu::Buffer,
     scene: Option<SceneKernels>,
     target: Option<Target>,
     slabs: Slabs,
@@ -71,7 +72,8 @@ impl GpuRenderer {
         };
         let store = Store::new(&gpu, &mesh, sorts_on_host(&gpu, settings), 0, 0)?;
         let frame = gpu.uniform("frame", &[layout::Frame::default()]);
-        Ok(Self { gpu, mesh, settings, f16, store, frame, scene: None, target: None, slabs: Slabs::default() })
+        let light = gpu.uniform("light", &[layout::Light::default()]);
+        Ok(Self { gpu, mesh, settings, f16, store, frame, light, scene: None, target: None, slabs: Slabs::default() })
     }
 
     /// The cells of the last frame, back to front, as the raster pass drew them. Pieces of cells that the near plane
@@ -91,15 +93,15 @@ impl GpuRenderer {
         Ok(order)
     }
 
-    /// Makes kernels and marks candidates where the transfer function or the kind of projection changed.
-    fn prepare_scene(&mut self, transfer: &TransferFunction, emission: EmissionModel, perspective: bool) -> Result<()> {
+    /// Makes kernels and marks candidates where the transfer function or what kernels are specialised to changed.
+    fn prepare_scene(&mut self, transfer: &TransferFunction, emission: EmissionModel, variant: Variant) -> Result<()> {
         let same = |s: &SceneKernels| {
-            s.transfer.source == *transfer && s.transfer.emission == emission && s.perspective == perspective
+            s.transfer.source == *transfer && s.transfer.emission == emission && s.variant == variant
         };
         if self.scene.as_ref().is_some_and(same) {
             return Ok(());
         }
-        self.make_scene(transfer, emission, perspective, true)
+        self.make_scene(transfer, emission, variant, true)
     }
 
     /// `in_bands`: draw cells band by band where that is possible.
@@ -107,7 +109,7 @@ impl GpuRenderer {
         &mut self,
         transfer: &TransferFunction,
         emission: EmissionModel,
-        perspective: bool,
+        variant: Variant,
         in_bands: bool,
     ) -> Result<()> {
         let m = &self.store.mesh;
@@ -123,6 +125,9 @@ impl GpuRenderer {
         if transfer.bivariate {
             self.store.need_gradients(&self.gpu, &self.mesh);
         }
+        if variant.shading.is_on() {
+            self.store.need_gradient_vectors(&self.gpu, &self.mesh);
+        }
         let curve = matches!(transfer.source, TransferFunction::Curve(_));
         if curve {
             self.store.need_bands(&self.gpu);
@@ -136,13 +141,13 @@ impl GpuRenderer {
         let mut bands = None;
         // Bands are drawn by the exact integral.
         let exact = matches!(self.settings.integral, SegmentIntegral::Analytic | SegmentIntegral::Adaptive { .. });
-        if curve && in_bands && exact {
+        if curve && in_bands && exact && variant.shading.allows_bands() {
             let totals = self.band_totals()?;
             bands = self.store.holds_bands(totals.bands.into(), totals.most).then_some(totals.bands);
             let deep = f32::from_bits(totals.deepest) > THIN;
             extra.push(("DEEP", f64::from(u8::from(deep))));
         }
-        self.scene = Some(SceneKernels::new(&self.gpu, transfer, perspective, self.f16, candidates, bands, &extra)?);
+        self.scene = Some(SceneKernels::new(&self.gpu, transfer, variant, self.f16, candidates, bands, &extra)?);
         Ok(())
     }
 
@@ -168,7 +173,6 @@ impl GpuRenderer {
 
     /// Puts the near plane's pieces on the device, with more room where there is too little.
     fn prepare_near_cut(&mut self, cut: &NearCut) -> Result<Pieces> {
-        let bivariate = self.scene.as_ref().is_some_and(|s| s.transfer.bivariate);
         if !self.store.has_room_for(cut) {
             let room = |n: usize| (n as u64 * 3 / 2).max(4096);
             let (vertices, tets) = (room(cut.vertices.len()), room(cut.tets.len()));
@@ -176,9 +180,9 @@ impl GpuRenderer {
             self.store = Store::new(&self.gpu, &self.mesh, on_host, vertices, tets)?;
             // Candidates, and the constants that say how tetrahedra are bound, are of the old buffers.
             let scene = self.scene.take().ok_or_else(unprepared)?;
-            self.prepare_scene(&scene.transfer.source, scene.transfer.emission, scene.perspective)?;
+            self.prepare_scene(&scene.transfer.source, scene.transfer.emission, scene.variant)?;
         }
-        let mut pieces = self.store.put_pieces(&self.gpu, &self.mesh, cut, bivariate);
+        let mut pieces = self.store.put_pieces(&self.gpu, &self.mesh, cut);
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         self.mark_candidates(&scene.candidates, &scene.transfer, Some(pieces))?;
         if let Some(bands) = scene.bands {
@@ -186,7 +190,7 @@ impl GpuRenderer {
             pieces.bands = added.bands;
             if !self.store.holds_bands(u64::from(bands) + u64::from(added.bands), added.most) {
                 let scene = self.scene.take().ok_or_else(unprepared)?;
-                self.make_scene(&scene.transfer.source, scene.transfer.emission, scene.perspective, false)?;
+                self.make_scene(&scene.transfer.source, scene.transfer.emission, scene.variant, false)?;
                 let scene = self.scene.as_ref().ok_or_else(unprepared)?;
                 self.mark_candidates(&scene.candidates, &scene.transfer, Some(pieces))?;
             }
@@ -196,20 +200,22 @@ impl GpuRenderer {
     }
 
     fn resources<'a>(&'a self, transfer: &'a TransferBuffers) -> Resources<'a> {
-        transfer.offer(self.store.resources().with("frame", &self.frame))
+        transfer.offer(self.store.resources().with("frame", &self.frame).with("light", &self.light))
     }
 
     /// Draws a frame; the picture is left in the target.
     fn draw_frame(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Drawn> {
-        if frame.optics.uses_gradients() {
+        // The weight of highlights would be the integral of the profiles, which no kernel returns.
+        if frame.optics.emission == EmissionModel::Unweighted && frame.optics.lighting.is_some() {
             return Err(Error::Asked(
-                "lighting and silhouettes cannot be drawn on a graphics device yet: use --device \
-                 oracle"
+                "lighting of unweighted emission cannot be drawn on a graphics device: use --device oracle, or \
+                 weighted emission"
                     .into(),
             ));
         }
         let perspective = matches!(frame.camera.projection, Projection::Perspective { .. });
-        self.prepare_scene(frame.transfer, frame.optics.emission, perspective)?;
+        let variant = Variant { perspective, shading: Shading::of(frame.optics) };
+        self.prepare_scene(frame.transfer, frame.optics.emission, variant)?;
         if self.target.as_ref().is_none_or(|t| t.size != frame.size) {
             self.target = Some(Target::new(&self.gpu, frame.size, self.f16)?);
         }
@@ -217,6 +223,8 @@ impl GpuRenderer {
         let pieces = cut.as_ref().map(|cut| self.prepare_near_cut(cut)).transpose()?;
         let uniform = self.frame_uniform(frame, pieces);
         self.gpu.queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&uniform));
+        let light = light::uniform(frame.optics, &frame.camera.basis());
+        self.gpu.queue.write_buffer(&self.light, 0, bytemuck::bytes_of(&light));
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let all = self.resources(&scene.transfer);
         let mut recorder = Recorder::new(&self.gpu, timed);
@@ -399,49 +407,19 @@ impl GpuRenderer {
         Ok(mapped)
     }
 
-    /// The frame as shaders see it, in mesh space.
+    /// The frame as shaders see it.
     fn frame_uniform(&self, frame: &Frame<'_>, pieces: Option<Pieces>) -> layout::Frame {
-        let camera: &Camera = frame.camera;
-        let basis = camera.basis();
-        let eye = self.mesh.mesh_from_data(camera.eye);
-        // The mesh lies within 1 of the origin.
-        let reference = if eye.length() <= 4.0 { eye.as_vec3() } else { Vec3::ZERO };
-        let eye_from_reference = eye - reference.as_dvec3();
-        let [width, height] = frame.size.map(f64::from);
-        let aspect = width / height;
-        // Half the image's height at depth 1 (perspective) or everywhere (orthographic, mesh units).
-        let half = match camera.projection {
-            Projection::Perspective { fov_y } => (0.5 * fov_y).tan(),
-            Projection::Orthographic { height } => 0.5 * height / self.mesh.data_per_mesh,
-        };
-        let (x_row, y_row) = (basis.right / (half * aspect), basis.up / half);
-        let offset = |row: DVec3| (-row.dot(eye_from_reference)) as f32;
-        let f32s = |v: DVec3| v.as_vec3().to_array();
         let m = &self.store.mesh;
         let tet_count = pieces.filter(|p| p.range.count > 0).map_or(m.tet_count, |p| p.range.first + p.range.count);
         layout::Frame {
-            reference: reference.to_array(),
             tet_count,
-            eye_from_reference: f32s(eye_from_reference),
             vertex_count: m.vertex_count + pieces.map_or(0, |p| p.vertices),
-            x_row: f32s(x_row),
-            image_width: width as f32,
-            y_row: f32s(y_row),
-            image_height: height as f32,
-            forward: f32s(basis.forward),
-            ray_per_clip_x: (half * aspect) as f32,
-            ray_per_clip_y: half as f32,
             chunk_cells: self.store.chunk_cells,
             most_drawn: match self.scene.as_ref().and_then(|s| s.bands) {
                 Some(bands) => bands + pieces.map_or(0, |p| p.bands),
                 None => tet_count,
             },
-            pad_a: 0,
-            background: frame.background,
-            x_offset: offset(x_row),
-            y_offset: offset(y_row),
-            z_offset: offset(basis.forward),
-            pad_b: 0.0,
+            ..frame::camera_uniform(frame, &self.mesh)
         }
     }
 

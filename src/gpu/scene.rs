@@ -2,14 +2,24 @@
 
 use crate::error::Result;
 use crate::gpu::device::{DrawKernel, Gpu, Kernel};
+use crate::gpu::light::Shading;
 use crate::gpu::transfer::TransferBuffers;
+
+/// What kernels are specialised to, besides the transfer function.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Variant {
+    /// The kind of projection.
+    pub perspective: bool,
+    /// Lighting and silhouettes.
+    pub shading: Shading,
+}
 
 /// A scene's transfer function and kernels.
 pub struct SceneKernels {
     /// The function.
     pub transfer: TransferBuffers,
-    /// The kind of projection.
-    pub perspective: bool,
+    /// What else.
+    pub variant: Variant,
     /// Marks cells that the function can make visible, and finds their bands.
     pub candidates: Kernel,
     /// Bands to draw at most, where cells are drawn band by band.
@@ -79,7 +89,7 @@ impl SceneKernels {
     pub fn new(
         gpu: &Gpu,
         transfer: TransferBuffers,
-        perspective: bool,
+        variant: Variant,
         f16: bool,
         candidates: Kernel,
         bands: Option<u32>,
@@ -88,7 +98,8 @@ impl SceneKernels {
         let flag = |b: bool| f64::from(u8::from(b));
         let mut constants = transfer.constants.clone();
         constants.extend_from_slice(extra);
-        constants.push(("PERSPECTIVE", flag(perspective)));
+        constants.push(("PERSPECTIVE", flag(variant.perspective)));
+        constants.extend_from_slice(&variant.shading.constants());
         constants.push(("BANDS", flag(bands.is_some())));
         let slab_constants = [&constants[..], &[("SLAB", 1.0)]].concat();
         let target = |format, blend| Some(wgpu::ColorTargetState { format, blend, write_mask: wgpu::ColorWrites::ALL });
@@ -102,28 +113,15 @@ impl SceneKernels {
         } else {
             vec![f32_target(Some(BACK_TO_FRONT))]
         };
-        let attributes = wgpu::vertex_attr_array![
-            0 => Float32x2, 1 => Float32x2, 2 => Float32x3, 3 => Float32x2, 4 => Float32x2
-        ];
-        let band_attributes = wgpu::vertex_attr_array![0 => Float32x2, 1 => Float32x2, 2 => Float32x3, 3 => Float32x3];
-        let attributes: &[wgpu::VertexAttribute] = match (transfer.bivariate, bands.is_some()) {
-            (false, false) => &attributes[..4],
-            (false, true) => &band_attributes,
-            (true, _) => &attributes,
-        };
-        let entries = match (transfer.bivariate, bands.is_some(), f16) {
-            (false, false, false) => ["vertex", "fragment"],
-            (false, false, true) => ["vertex", "fragment_counted"],
-            (false, true, false) => ["vertex_band", "fragment_band"],
-            (false, true, true) => ["vertex_band", "fragment_band_counted"],
-            (true, _, false) => ["vertex_bivariate", "fragment_bivariate"],
-            (true, _, true) => ["vertex_bivariate", "fragment_bivariate_counted"],
-        };
+        let attributes = corner_attributes(transfer.bivariate, bands.is_some(), variant.shading.is_on());
         let array_stride = attributes.iter().map(|a| a.format.size()).sum();
-        let corners = wgpu::VertexBufferLayout { array_stride, step_mode: wgpu::VertexStepMode::Vertex, attributes };
+        let corners =
+            wgpu::VertexBufferLayout { array_stride, step_mode: wgpu::VertexStepMode::Vertex, attributes: &attributes };
+        let [vertex, fragment] = raster_entries(transfer.bivariate, bands.is_some(), variant.shading.is_on(), f16);
+        let entries = [vertex.as_str(), fragment.as_str()];
         let full = ["vertex", "fragment"];
         Ok(Self {
-            perspective,
+            variant,
             bands,
             candidates,
             vertices: gpu.kernel("vertices", &constants)?,
@@ -162,4 +160,37 @@ impl SceneKernels {
     pub fn cull(&self, near_cut: bool) -> &Kernel {
         self.cull_near.as_ref().filter(|_| near_cut).unwrap_or(&self.cull)
     }
+}
+
+/// What `project` writes of a corner, in order.
+fn corner_attributes(bivariate: bool, bands: bool, shaded: bool) -> Vec<wgpu::VertexAttribute> {
+    use wgpu::VertexFormat::{Float32x2, Float32x3};
+    let mut formats = vec![(0, Float32x2), (1, Float32x2), (2, Float32x3)];
+    match (bivariate, bands) {
+        (true, _) => formats.extend([(3, Float32x2), (4, Float32x2)]),
+        (false, true) => formats.push((3, Float32x3)),
+        (false, false) => formats.push((3, Float32x2)),
+    }
+    if shaded {
+        formats.extend([(5, Float32x3), (6, Float32x3)]);
+    }
+    let mut offset = 0;
+    let attribute = |(shader_location, format): (u32, wgpu::VertexFormat)| {
+        let attribute = wgpu::VertexAttribute { format, offset, shader_location };
+        offset += format.size();
+        attribute
+    };
+    formats.into_iter().map(attribute).collect()
+}
+
+/// Entry points of `raster`.
+fn raster_entries(bivariate: bool, bands: bool, shaded: bool, counted: bool) -> [String; 2] {
+    let kind = match (bivariate, bands) {
+        (true, _) => "_bivariate",
+        (false, true) => "_band",
+        (false, false) => "",
+    };
+    let shaded = if shaded { "_shaded" } else { "" };
+    let counted = if counted { "_counted" } else { "" };
+    [format!("vertex{kind}{shaded}"), format!("fragment{kind}{shaded}{counted}")]
 }

@@ -115,6 +115,12 @@ impl Store {
         self.mesh.need_gradients(gpu, mesh, self.spare_vertices);
     }
 
+    /// Uploads gradient vectors and makes room for them at corners, if no scene needed them before.
+    pub fn need_gradient_vectors(&mut self, gpu: &Gpu, mesh: &TetMesh) {
+        self.mesh.need_gradient_vectors(gpu, mesh, self.spare_vertices);
+        self.cells.need_shaded_corners(gpu, self.chunk_cells);
+    }
+
     /// Makes room for the bands of cells, if no scene needed them before.
     pub fn need_bands(&mut self, gpu: &Gpu) {
         if self.cells.cell_bands.size() < self.capacity * 4 {
@@ -128,10 +134,10 @@ impl Store {
     }
 
     /// Puts the near plane's pieces behind the mesh. They must fit.
-    pub fn put_pieces(&self, gpu: &Gpu, mesh: &TetMesh, cut: &NearCut, bivariate: bool) -> Pieces {
+    pub fn put_pieces(&self, gpu: &Gpu, mesh: &TetMesh, cut: &NearCut) -> Pieces {
         let start = pieces_start(self.mesh.tet_count);
         let range = TetRange { first: start, count: cut.tets.len() as u32 };
-        self.mesh.put_pieces(gpu, mesh, cut, start, bivariate);
+        self.mesh.put_pieces(gpu, mesh, cut, start);
         gpu.write(&self.cells.clipped, 0, bytemuck::cast_slice(&cut.clipped));
         gpu.write(&self.pieces_uniform, 0, bytemuck::bytes_of(&range.uniform()));
         Pieces { range, vertices: cut.vertices.len() as u32, bands: 0 }
@@ -143,6 +149,7 @@ impl Store {
         let mut r = Resources::default()
             .with("vertices", &b.vertices)
             .with("gradients", &b.gradients)
+            .with("gradient_vectors", &b.gradient_vectors)
             .with("volumes", &b.volumes);
         for (name, buffer) in c.list() {
             r = r.with(name, buffer);
@@ -191,8 +198,13 @@ impl Store {
     /// Labels and buffers, for the report.
     pub fn list(&self) -> Vec<(&'static str, &wgpu::Buffer)> {
         let b = &self.mesh;
-        let mut list =
-            vec![("vertices", &b.vertices), ("gradients", &b.gradients), ("tets", &b.tets), ("volumes", &b.volumes)];
+        let mut list = vec![
+            ("vertices", &b.vertices),
+            ("gradients", &b.gradients),
+            ("gradient_vectors", &b.gradient_vectors),
+            ("tets", &b.tets),
+            ("volumes", &b.volumes),
+        ];
         list.extend(self.cells.list());
         list.push(("indices", &self.indices));
         list.extend(self.sorter.buffers());

@@ -43,6 +43,10 @@ pub struct CutVertex {
     pub scalar: f64,
     /// Data units per data length.
     pub gradient_magnitude: f64,
+    /// The edge's ends, for other values that are linear along it: of the mesh, or made before this one.
+    pub ends: [u32; 2],
+    /// How far along the edge, 0 at the first end and 1 at the second.
+    pub share: f64,
 }
 
 /// Cuts the cells that reach nearer than the camera's near depth, and for perspective those whose depths differ by
@@ -298,6 +302,8 @@ impl Cutter<'_> {
             position: low.position + t * (high.position - low.position),
             scalar: low.scalar + t * (high.scalar - low.scalar),
             gradient_magnitude: low.gradient_magnitude + t * (high.gradient_magnitude - low.gradient_magnitude),
+            ends,
+            share: t,
         });
         self.depths.push(plane.depth);
         let id = (self.mesh.vertices.len() + self.depths.len() - 1) as u32;
@@ -319,6 +325,8 @@ impl Cutter<'_> {
                 position: mesh.vertices[v],
                 scalar: mesh.scalar[v],
                 gradient_magnitude: mesh.gradient_magnitude[v],
+                ends: [v as u32; 2],
+                share: 0.0,
             },
         }
     }

@@ -33,8 +33,8 @@ pub fn erfcx(x: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>) -> f32 {
 #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
 fn v_erfcx(x: ::naga_rust_rt::Scalar<f32>) -> ::naga_rust_rt::Scalar<f32> {
     let u_1 = ((x - ::naga_rust_rt::Scalar(2f32)) / (x + ::naga_rust_rt::Scalar(2f32)));
-    let p = (::naga_rust_rt::Scalar(1.2769784f32) + (u_1 * (::naga_rust_rt::Scalar(-0.09276308f32) + (u_1 * (::naga_rust_rt::Scalar(-0.16603152f32) + (u_1 * (::naga_rust_rt::Scalar(0.16403583f32) + (u_1 * (::naga_rust_rt::Scalar(-0.054208256f32) + (u_1 * (::naga_rust_rt::Scalar(-0.007942667f32) + (u_1 * (::naga_rust_rt::Scalar(0.008678226f32) + (u_1 * (::naga_rust_rt::Scalar(0.0010430774f32) + (u_1 * (::naga_rust_rt::Scalar(-0.001382726f32) + (u_1 * (::naga_rust_rt::Scalar(-0.00018362673f32) + (u_1 * ::naga_rust_rt::Scalar(0.00015546013f32)))))))))))))))))))));
-    return (p / (::naga_rust_rt::Scalar(1f32) + (::naga_rust_rt::Scalar(2f32) * x)));
+    let p_1 = (::naga_rust_rt::Scalar(1.2769784f32) + (u_1 * (::naga_rust_rt::Scalar(-0.09276308f32) + (u_1 * (::naga_rust_rt::Scalar(-0.16603152f32) + (u_1 * (::naga_rust_rt::Scalar(0.16403583f32) + (u_1 * (::naga_rust_rt::Scalar(-0.054208256f32) + (u_1 * (::naga_rust_rt::Scalar(-0.007942667f32) + (u_1 * (::naga_rust_rt::Scalar(0.008678226f32) + (u_1 * (::naga_rust_rt::Scalar(0.0010430774f32) + (u_1 * (::naga_rust_rt::Scalar(-0.001382726f32) + (u_1 * (::naga_rust_rt::Scalar(-0.00018362673f32) + (u_1 * ::naga_rust_rt::Scalar(0.00015546013f32)))))))))))))))))))));
+    return (p_1 / (::naga_rust_rt::Scalar(1f32) + (::naga_rust_rt::Scalar(2f32) * x)));
 }
 pub fn phi_one_half(t_3: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>) -> f32 {
     ::naga_rust_rt::into(v_phi_one_half(::naga_rust_rt::into(t_3)))
@@ -72,9 +72,9 @@ pub fn dawson_near(x_1: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>) 
 #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
 fn v_dawson_near(x_1: ::naga_rust_rt::Scalar<f32>) -> ::naga_rust_rt::Scalar<f32> {
     let y = (x_1 * x_1);
-    let p_1 = (::naga_rust_rt::Scalar(1.0000001f32) + (y * (::naga_rust_rt::Scalar(-0.038065866f32) + (y * (::naga_rust_rt::Scalar(0.03287904f32) + (y * (::naga_rust_rt::Scalar(0.0011937979f32) + (y * ::naga_rust_rt::Scalar(0.00018023216f32)))))))));
+    let p_2 = (::naga_rust_rt::Scalar(1.0000001f32) + (y * (::naga_rust_rt::Scalar(-0.038065866f32) + (y * (::naga_rust_rt::Scalar(0.03287904f32) + (y * (::naga_rust_rt::Scalar(0.0011937979f32) + (y * ::naga_rust_rt::Scalar(0.00018023216f32)))))))));
     let q_1 = (::naga_rust_rt::Scalar(1f32) + (y * (::naga_rust_rt::Scalar(0.62860703f32) + (y * (::naga_rust_rt::Scalar(0.18524528f32) + (y * (::naga_rust_rt::Scalar(0.03334709f32) + (y * (::naga_rust_rt::Scalar(0.0038517737f32) + (y * ::naga_rust_rt::Scalar(0.00032483586f32)))))))))));
-    return ((x_1 * p_1) / q_1);
+    return ((x_1 * p_2) / q_1);
 }
 pub fn dawson_far(x_2: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>) -> f32 {
     ::naga_rust_rt::into(v_dawson_far(::naga_rust_rt::into(x_2)))
@@ -82,8 +82,8 @@ pub fn dawson_far(x_2: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>) -
 #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
 fn v_dawson_far(x_2: ::naga_rust_rt::Scalar<f32>) -> ::naga_rust_rt::Scalar<f32> {
     let y_1 = (::naga_rust_rt::Scalar(1f32) / (x_2 * x_2));
-    let p_2 = (::naga_rust_rt::Scalar(1.0000001f32) + (y_1 * (::naga_rust_rt::Scalar(0.49982157f32) + (y_1 * (::naga_rust_rt::Scalar(0.7885714f32) + (y_1 * (::naga_rust_rt::Scalar(-1.2632288f32) + (y_1 * (::naga_rust_rt::Scalar(129.16667f32) + (y_1 * (::naga_rust_rt::Scalar(-2472.1711f32) + (y_1 * (::naga_rust_rt::Scalar(26553.97f32) + (y_1 * (::naga_rust_rt::Scalar(-126146.45f32) + (y_1 * ::naga_rust_rt::Scalar(201245.73f32)))))))))))))))));
-    return ((::naga_rust_rt::Scalar(0.5f32) * p_2) / x_2);
+    let p_3 = (::naga_rust_rt::Scalar(1.0000001f32) + (y_1 * (::naga_rust_rt::Scalar(0.49982157f32) + (y_1 * (::naga_rust_rt::Scalar(0.7885714f32) + (y_1 * (::naga_rust_rt::Scalar(-1.2632288f32) + (y_1 * (::naga_rust_rt::Scalar(129.16667f32) + (y_1 * (::naga_rust_rt::Scalar(-2472.1711f32) + (y_1 * (::naga_rust_rt::Scalar(26553.97f32) + (y_1 * (::naga_rust_rt::Scalar(-126146.45f32) + (y_1 * ::naga_rust_rt::Scalar(201245.73f32)))))))))))))))));
+    return ((::naga_rust_rt::Scalar(0.5f32) * p_3) / x_2);
 }
 pub fn dawson(x_3: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>) -> f32 {
     ::naga_rust_rt::into(v_dawson(::naga_rust_rt::into(x_3)))
@@ -132,15 +132,15 @@ fn v_psi(
         return _e5;
     }
     let root = (::naga_rust_rt::Scalar(2f32) * (b_2 - a_2).abs().max((::naga_rust_rt::Scalar(0.000001f32) * (a_2 + b_2)))).sqrt();
-    let p_3 = (a_2 / root);
+    let p_4 = (a_2 / root);
     let r = (b_2 / root);
     let _e20 = v_attenuation((::naga_rust_rt::Scalar(0.5f32) * (a_2 + b_2)));
     if ::naga_rust_rt::Scalar::into_branch_condition(b_2.elementwise_ge(a_2)) {
-        let _e22 = v_erfcx(p_3);
+        let _e22 = v_erfcx(p_4);
         let _e23 = v_erfcx(r);
         return ((::naga_rust_rt::Scalar(1.7724539f32) * (_e22 - (_e20 * _e23))) / root);
     }
-    let _e29 = v_dawson(p_3);
+    let _e29 = v_dawson(p_4);
     let _e30 = v_dawson(r);
     return ((::naga_rust_rt::Scalar(2f32) * (_e29 - (_e20 * _e30))) / root);
 }
@@ -284,13 +284,99 @@ fn v_line_at(
     let part = ((u - piece.x()) / (piece.z() - piece.x()).max(::naga_rust_rt::Scalar(0.000000000000000000000000000001f32))).clamp(::naga_rust_rt::Scalar(0f32), ::naga_rust_rt::Scalar(1f32));
     return (piece.y() + (part * (piece.w() - piece.y())));
 }
-pub fn quarter_sine(x_5: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>) -> f32 {
-    ::naga_rust_rt::into(v_quarter_sine(::naga_rust_rt::into(x_5)))
+pub fn power(
+    x_5: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>,
+    p: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>,
+) -> f32 {
+    ::naga_rust_rt::into(v_power(::naga_rust_rt::into(x_5), ::naga_rust_rt::into(p)))
 }
 #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-fn v_quarter_sine(x_5: ::naga_rust_rt::Scalar<f32>) -> ::naga_rust_rt::Scalar<f32> {
-    let y_3 = (x_5 * x_5);
-    return (x_5 * (::naga_rust_rt::Scalar(1.5707964f32) + (y_3 * (::naga_rust_rt::Scalar(-0.6459637f32) + (y_3 * (::naga_rust_rt::Scalar(0.07968968f32) + (y_3 * (::naga_rust_rt::Scalar(-0.0046737664f32) + (y_3 * ::naga_rust_rt::Scalar(0.00015148513f32))))))))));
+fn v_power(
+    x_5: ::naga_rust_rt::Scalar<f32>,
+    p: ::naga_rust_rt::Scalar<f32>,
+) -> ::naga_rust_rt::Scalar<f32> {
+    let mut logarithm: ::naga_rust_rt::Scalar<f32>;
+
+    if ::naga_rust_rt::Scalar::into_branch_condition((!x_5.elementwise_gt(::naga_rust_rt::Scalar(0.000000000000000000000000000001f32)))) {
+        return ::naga_rust_rt::Scalar(0f32);
+    }
+    logarithm = x_5.log2();
+    if ::naga_rust_rt::Scalar::into_branch_condition(x_5.elementwise_gt(::naga_rust_rt::Scalar(0.7f32))) {
+        let u_2 = ((x_5 - ::naga_rust_rt::Scalar(1f32)) / (x_5 + ::naga_rust_rt::Scalar(1f32)));
+        let q_2 = (u_2 * u_2);
+        logarithm = ((::naga_rust_rt::Scalar(2.88539f32) * u_2) * (::naga_rust_rt::Scalar(1f32) + (q_2 * (::naga_rust_rt::Scalar(0.33333334f32) + (q_2 * (::naga_rust_rt::Scalar(0.2f32) + (q_2 * (::naga_rust_rt::Scalar(0.14285715f32) + (q_2 * ::naga_rust_rt::Scalar(0.11111111f32))))))))));
+    }
+    let _e32 = logarithm;
+    return (p * _e32).max(::naga_rust_rt::Scalar(-125f32)).exp2();
+}
+pub fn fade(gradient: impl ::naga_rust_rt::Into<::naga_rust_rt::Vec3<f32>>) -> f32 {
+    ::naga_rust_rt::into(v_fade(::naga_rust_rt::into(gradient)))
+}
+#[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+fn v_fade(gradient: ::naga_rust_rt::Vec3<f32>) -> ::naga_rust_rt::Scalar<f32> {
+    let squared = gradient.dot(gradient);
+    return (squared / (squared + ::naga_rust_rt::Scalar(0.000001f32)));
+}
+pub fn normal_of(gradient_1: impl ::naga_rust_rt::Into<::naga_rust_rt::Vec3<f32>>) -> ::naga_rust_rt::Vec3<f32> {
+    ::naga_rust_rt::into(v_normal_of(::naga_rust_rt::into(gradient_1)))
+}
+#[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+fn v_normal_of(gradient_1: ::naga_rust_rt::Vec3<f32>) -> ::naga_rust_rt::Vec3<f32> {
+    return (gradient_1 / ::naga_rust_rt::Vec3::splat_from_scalar(gradient_1.length().max(::naga_rust_rt::Scalar(0.000000000000000001f32))));
+}
+pub fn lit(
+    gradient_2: impl ::naga_rust_rt::Into<::naga_rust_rt::Vec3<f32>>,
+    ray: impl ::naga_rust_rt::Into<::naga_rust_rt::Vec2<f32>>,
+    light: impl ::naga_rust_rt::Into<::naga_rust_rt::Vec4<f32>>,
+    material: impl ::naga_rust_rt::Into<::naga_rust_rt::Vec3<f32>>,
+) -> ::naga_rust_rt::Vec2<f32> {
+    ::naga_rust_rt::into(v_lit(::naga_rust_rt::into(gradient_2), ::naga_rust_rt::into(ray), ::naga_rust_rt::into(light), ::naga_rust_rt::into(material)))
+}
+#[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+fn v_lit(
+    gradient_2: ::naga_rust_rt::Vec3<f32>,
+    ray: ::naga_rust_rt::Vec2<f32>,
+    light: ::naga_rust_rt::Vec4<f32>,
+    material: ::naga_rust_rt::Vec3<f32>,
+) -> ::naga_rust_rt::Vec2<f32> {
+    let _e4 = v_fade(gradient_2);
+    let _e5 = v_normal_of(gradient_2);
+    let half_way = (light.xyz() - <::naga_rust_rt::Vec3<f32>>::new_21(ray, ::naga_rust_rt::Scalar(1f32)).normalize());
+    let glance = (_e5.dot(half_way).abs() / <::naga_rust_rt::Vec4<f32>>::new_31(half_way, ::naga_rust_rt::Scalar(0.001f32)).length());
+    let brightness = (light.w() + (material.x() * _e5.dot(light.xyz()).abs()));
+    let _e34 = v_power(glance.min(::naga_rust_rt::Scalar(1f32)), material.z());
+    return <::naga_rust_rt::Vec2<f32>>::from_scalars((::naga_rust_rt::Scalar(1f32) + (_e4 * (brightness - ::naga_rust_rt::Scalar(1f32)))), ((_e4 * material.y()) * _e34));
+}
+pub fn outlined(
+    gradient_3: impl ::naga_rust_rt::Into<::naga_rust_rt::Vec3<f32>>,
+    ray_1: impl ::naga_rust_rt::Into<::naga_rust_rt::Vec2<f32>>,
+    exponent: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>,
+    strength: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>,
+) -> f32 {
+    ::naga_rust_rt::into(v_outlined(::naga_rust_rt::into(gradient_3), ::naga_rust_rt::into(ray_1), ::naga_rust_rt::into(exponent), ::naga_rust_rt::into(strength)))
+}
+#[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+fn v_outlined(
+    gradient_3: ::naga_rust_rt::Vec3<f32>,
+    ray_1: ::naga_rust_rt::Vec2<f32>,
+    exponent: ::naga_rust_rt::Scalar<f32>,
+    strength: ::naga_rust_rt::Scalar<f32>,
+) -> ::naga_rust_rt::Scalar<f32> {
+    let _e4 = v_normal_of(gradient_3);
+    let direction = <::naga_rust_rt::Vec3<f32>>::new_21(ray_1, ::naga_rust_rt::Scalar(1f32)).normalize();
+    let sine = _e4.cross(direction);
+    let turned_away = (sine.dot(sine) / (::naga_rust_rt::Scalar(1f32) + _e4.dot(direction).abs()));
+    let _e15 = v_fade(gradient_3);
+    let _e19 = v_power(turned_away.min(::naga_rust_rt::Scalar(1f32)), exponent);
+    return (::naga_rust_rt::Scalar(1f32) + ((_e15 * strength) * (_e19 - ::naga_rust_rt::Scalar(1f32))));
+}
+pub fn quarter_sine(x_6: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>) -> f32 {
+    ::naga_rust_rt::into(v_quarter_sine(::naga_rust_rt::into(x_6)))
+}
+#[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+fn v_quarter_sine(x_6: ::naga_rust_rt::Scalar<f32>) -> ::naga_rust_rt::Scalar<f32> {
+    let y_3 = (x_6 * x_6);
+    return (x_6 * (::naga_rust_rt::Scalar(1.5707964f32) + (y_3 * (::naga_rust_rt::Scalar(-0.6459637f32) + (y_3 * (::naga_rust_rt::Scalar(0.07968968f32) + (y_3 * (::naga_rust_rt::Scalar(-0.0046737664f32) + (y_3 * ::naga_rust_rt::Scalar(0.00015148513f32))))))))));
 }
 pub fn sine_of_turns(t_4: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>) -> f32 {
     ::naga_rust_rt::into(v_sine_of_turns(::naga_rust_rt::into(t_4)))
@@ -311,31 +397,31 @@ fn v_cosine_of_turns(t_5: ::naga_rust_rt::Scalar<f32>) -> ::naga_rust_rt::Scalar
     let _e10 = v_quarter_sine((::naga_rust_rt::Scalar(1f32) - (::naga_rust_rt::Scalar(4f32) * r_2.abs())));
     return _e10;
 }
-pub fn sinc_complement(x_6: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>) -> f32 {
-    ::naga_rust_rt::into(v_sinc_complement(::naga_rust_rt::into(x_6)))
+pub fn sinc_complement(x_7: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>) -> f32 {
+    ::naga_rust_rt::into(v_sinc_complement(::naga_rust_rt::into(x_7)))
 }
 #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-fn v_sinc_complement(x_6: ::naga_rust_rt::Scalar<f32>) -> ::naga_rust_rt::Scalar<f32> {
-    let h_2 = (::naga_rust_rt::Scalar(3.1415927f32) * x_6);
+fn v_sinc_complement(x_7: ::naga_rust_rt::Scalar<f32>) -> ::naga_rust_rt::Scalar<f32> {
+    let h_2 = (::naga_rust_rt::Scalar(3.1415927f32) * x_7);
     let y_4 = (h_2 * h_2);
     if ::naga_rust_rt::Scalar::into_branch_condition(y_4.elementwise_lt(::naga_rust_rt::Scalar(2.25f32))) {
         return (y_4 * (::naga_rust_rt::Scalar(0.16666667f32) + (y_4 * (::naga_rust_rt::Scalar(-0.00833333f32) + (y_4 * (::naga_rust_rt::Scalar(0.000198404f32) + (y_4 * (::naga_rust_rt::Scalar(-0.000002748742f32) + (y_4 * ::naga_rust_rt::Scalar(0.000000022990204f32))))))))));
     }
-    let _e22 = v_sine_of_turns((::naga_rust_rt::Scalar(0.5f32) * x_6));
+    let _e22 = v_sine_of_turns((::naga_rust_rt::Scalar(0.5f32) * x_7));
     return (::naga_rust_rt::Scalar(1f32) - (_e22 / h_2));
 }
-pub fn bessel_one(x_7: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>) -> f32 {
-    ::naga_rust_rt::into(v_bessel_one(::naga_rust_rt::into(x_7)))
+pub fn bessel_one(x_8: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>) -> f32 {
+    ::naga_rust_rt::into(v_bessel_one(::naga_rust_rt::into(x_8)))
 }
 #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-fn v_bessel_one(x_7: ::naga_rust_rt::Scalar<f32>) -> ::naga_rust_rt::Scalar<f32> {
-    let h_3 = (::naga_rust_rt::Scalar(3.1415927f32) * x_7);
+fn v_bessel_one(x_8: ::naga_rust_rt::Scalar<f32>) -> ::naga_rust_rt::Scalar<f32> {
+    let h_3 = (::naga_rust_rt::Scalar(3.1415927f32) * x_8);
     let y_5 = (h_3 * h_3);
     if ::naga_rust_rt::Scalar::into_branch_condition(y_5.elementwise_lt(::naga_rust_rt::Scalar(2.25f32))) {
         return (h_3 * (::naga_rust_rt::Scalar(0.33333334f32) + (y_5 * (::naga_rust_rt::Scalar(-0.033333335f32) + (y_5 * (::naga_rust_rt::Scalar(0.0011904762f32) + (y_5 * (::naga_rust_rt::Scalar(-0.000022045855f32) + (y_5 * (::naga_rust_rt::Scalar(0.00000025052108f32) - (y_5 * ::naga_rust_rt::Scalar(0.0000000019270852f32))))))))))));
     }
-    let _e25 = v_sine_of_turns((::naga_rust_rt::Scalar(0.5f32) * x_7));
-    let _e28 = v_cosine_of_turns((::naga_rust_rt::Scalar(0.5f32) * x_7));
+    let _e25 = v_sine_of_turns((::naga_rust_rt::Scalar(0.5f32) * x_8));
+    let _e28 = v_cosine_of_turns((::naga_rust_rt::Scalar(0.5f32) * x_8));
     return ((_e25 - (h_3 * _e28)) / y_5);
 }
 pub fn strength_position(t_6: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>) -> f32 {
@@ -882,7 +968,7 @@ fn v_gaussian_product_mean(
     let tilt_6 = (weights_3.y().select(weights_3.x(), from_back) - near_weight_2);
     let gen_v_start = near_end.dot(along);
     let across = ((near_end.x() * along.y()) - (near_end.y() * along.x()));
-    let q_2 = (across * across);
+    let q_3 = (across * across);
     let gen_v_end = (gen_v_start + extent_5);
     if ::naga_rust_rt::Scalar::into_branch_condition(extent_5.elementwise_lt(::naga_rust_rt::Scalar(1f32))) {
         local_6 = (extent_5 * (gen_v_start + gen_v_end).abs()).elementwise_lt(::naga_rust_rt::Scalar(2f32));
@@ -891,19 +977,19 @@ fn v_gaussian_product_mean(
     }
     let _e49 = local_6;
     if ::naga_rust_rt::Scalar::into_branch_condition(_e49) {
-        let _e50 = v_gaussian_mean_short(gen_v_start, extent_5, q_2, near_weight_2, tilt_6);
+        let _e50 = v_gaussian_mean_short(gen_v_start, extent_5, q_3, near_weight_2, tilt_6);
         return _e50;
     }
     let a_8 = gen_v_start.abs().min(gen_v_end.abs());
     let b_8 = gen_v_start.abs().max(gen_v_end.abs());
-    let _e59 = v_attenuation(((a_8 * a_8) + q_2));
-    let _e62 = v_attenuation(((b_8 * b_8) + q_2));
+    let _e59 = v_attenuation(((a_8 * a_8) + q_3));
+    let _e62 = v_attenuation(((b_8 * b_8) + q_3));
     let _e63 = v_erfcx(a_8);
     let tail_a = (_e59 * _e63);
     let _e65 = v_erfcx(b_8);
     let tail_b = (_e62 * _e65);
     let same_side = (gen_v_start * gen_v_end).elementwise_gt(::naga_rust_rt::Scalar(0f32));
-    let _e70 = v_attenuation(q_2);
+    let _e70 = v_attenuation(q_3);
     let area = (((::naga_rust_rt::Scalar(2f32) * _e70) - tail_a) - tail_b).select((tail_a - tail_b), same_side);
     let mean_3 = ((::naga_rust_rt::Scalar(0.88622695f32) * area) / extent_5);
     product_3 = (near_weight_2 * mean_3);
@@ -999,8 +1085,8 @@ pub fn erfcx(x: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>) -> f64 {
 #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
 fn v_erfcx(x: ::naga_rust_rt::Scalar<f64>) -> ::naga_rust_rt::Scalar<f64> {
     let u_1 = ((x - ::naga_rust_rt::Scalar(2f64)) / (x + ::naga_rust_rt::Scalar(2f64)));
-    let p = (::naga_rust_rt::Scalar(1.2769783735275269f64) + (u_1 * (::naga_rust_rt::Scalar(-0.09276308119297028f64) + (u_1 * (::naga_rust_rt::Scalar(-0.16603152453899384f64) + (u_1 * (::naga_rust_rt::Scalar(0.164035826921463f64) + (u_1 * (::naga_rust_rt::Scalar(-0.05420825630426407f64) + (u_1 * (::naga_rust_rt::Scalar(-0.007942667230963707f64) + (u_1 * (::naga_rust_rt::Scalar(0.008678225800395012f64) + (u_1 * (::naga_rust_rt::Scalar(0.0010430774418637156f64) + (u_1 * (::naga_rust_rt::Scalar(-0.0013827260117977858f64) + (u_1 * (::naga_rust_rt::Scalar(-0.00018362673290539533f64) + (u_1 * ::naga_rust_rt::Scalar(0.00015546013310085982f64)))))))))))))))))))));
-    return (p / (::naga_rust_rt::Scalar(1f64) + (::naga_rust_rt::Scalar(2f64) * x)));
+    let p_1 = (::naga_rust_rt::Scalar(1.2769783735275269f64) + (u_1 * (::naga_rust_rt::Scalar(-0.09276308119297028f64) + (u_1 * (::naga_rust_rt::Scalar(-0.16603152453899384f64) + (u_1 * (::naga_rust_rt::Scalar(0.164035826921463f64) + (u_1 * (::naga_rust_rt::Scalar(-0.05420825630426407f64) + (u_1 * (::naga_rust_rt::Scalar(-0.007942667230963707f64) + (u_1 * (::naga_rust_rt::Scalar(0.008678225800395012f64) + (u_1 * (::naga_rust_rt::Scalar(0.0010430774418637156f64) + (u_1 * (::naga_rust_rt::Scalar(-0.0013827260117977858f64) + (u_1 * (::naga_rust_rt::Scalar(-0.00018362673290539533f64) + (u_1 * ::naga_rust_rt::Scalar(0.00015546013310085982f64)))))))))))))))))))));
+    return (p_1 / (::naga_rust_rt::Scalar(1f64) + (::naga_rust_rt::Scalar(2f64) * x)));
 }
 pub fn phi_one_half(t_3: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>) -> f64 {
     ::naga_rust_rt::into(v_phi_one_half(::naga_rust_rt::into(t_3)))
@@ -1038,9 +1124,9 @@ pub fn dawson_near(x_1: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>) 
 #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
 fn v_dawson_near(x_1: ::naga_rust_rt::Scalar<f64>) -> ::naga_rust_rt::Scalar<f64> {
     let y = (x_1 * x_1);
-    let p_1 = (::naga_rust_rt::Scalar(1.0000001192092896f64) + (y * (::naga_rust_rt::Scalar(-0.03806586563587189f64) + (y * (::naga_rust_rt::Scalar(0.03287903964519501f64) + (y * (::naga_rust_rt::Scalar(0.0011937979143112898f64) + (y * ::naga_rust_rt::Scalar(0.0001802321639843285f64)))))))));
+    let p_2 = (::naga_rust_rt::Scalar(1.0000001192092896f64) + (y * (::naga_rust_rt::Scalar(-0.03806586563587189f64) + (y * (::naga_rust_rt::Scalar(0.03287903964519501f64) + (y * (::naga_rust_rt::Scalar(0.0011937979143112898f64) + (y * ::naga_rust_rt::Scalar(0.0001802321639843285f64)))))))));
     let q_1 = (::naga_rust_rt::Scalar(1f64) + (y * (::naga_rust_rt::Scalar(0.6286070346832275f64) + (y * (::naga_rust_rt::Scalar(0.18524527549743652f64) + (y * (::naga_rust_rt::Scalar(0.03334708884358406f64) + (y * (::naga_rust_rt::Scalar(0.0038517736829817295f64) + (y * ::naga_rust_rt::Scalar(0.00032483585528098047f64)))))))))));
-    return ((x_1 * p_1) / q_1);
+    return ((x_1 * p_2) / q_1);
 }
 pub fn dawson_far(x_2: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>) -> f64 {
     ::naga_rust_rt::into(v_dawson_far(::naga_rust_rt::into(x_2)))
@@ -1048,8 +1134,8 @@ pub fn dawson_far(x_2: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>) -
 #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
 fn v_dawson_far(x_2: ::naga_rust_rt::Scalar<f64>) -> ::naga_rust_rt::Scalar<f64> {
     let y_1 = (::naga_rust_rt::Scalar(1f64) / (x_2 * x_2));
-    let p_2 = (::naga_rust_rt::Scalar(1.0000001192092896f64) + (y_1 * (::naga_rust_rt::Scalar(0.49982157349586487f64) + (y_1 * (::naga_rust_rt::Scalar(0.7885714173316956f64) + (y_1 * (::naga_rust_rt::Scalar(-1.2632287740707397f64) + (y_1 * (::naga_rust_rt::Scalar(129.1666717529297f64) + (y_1 * (::naga_rust_rt::Scalar(-2472.171142578125f64) + (y_1 * (::naga_rust_rt::Scalar(26553.970703125f64) + (y_1 * (::naga_rust_rt::Scalar(-126146.453125f64) + (y_1 * ::naga_rust_rt::Scalar(201245.734375f64)))))))))))))))));
-    return ((::naga_rust_rt::Scalar(0.5f64) * p_2) / x_2);
+    let p_3 = (::naga_rust_rt::Scalar(1.0000001192092896f64) + (y_1 * (::naga_rust_rt::Scalar(0.49982157349586487f64) + (y_1 * (::naga_rust_rt::Scalar(0.7885714173316956f64) + (y_1 * (::naga_rust_rt::Scalar(-1.2632287740707397f64) + (y_1 * (::naga_rust_rt::Scalar(129.1666717529297f64) + (y_1 * (::naga_rust_rt::Scalar(-2472.171142578125f64) + (y_1 * (::naga_rust_rt::Scalar(26553.970703125f64) + (y_1 * (::naga_rust_rt::Scalar(-126146.453125f64) + (y_1 * ::naga_rust_rt::Scalar(201245.734375f64)))))))))))))))));
+    return ((::naga_rust_rt::Scalar(0.5f64) * p_3) / x_2);
 }
 pub fn dawson(x_3: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>) -> f64 {
     ::naga_rust_rt::into(v_dawson(::naga_rust_rt::into(x_3)))
@@ -1098,15 +1184,15 @@ fn v_psi(
         return _e5;
     }
     let root = (::naga_rust_rt::Scalar(2f64) * (b_2 - a_2).abs().max((::naga_rust_rt::Scalar(0.000001f64) * (a_2 + b_2)))).sqrt();
-    let p_3 = (a_2 / root);
+    let p_4 = (a_2 / root);
     let r = (b_2 / root);
     let _e20 = v_attenuation((::naga_rust_rt::Scalar(0.5f64) * (a_2 + b_2)));
     if ::naga_rust_rt::Scalar::into_branch_condition(b_2.elementwise_ge(a_2)) {
-        let _e22 = v_erfcx(p_3);
+        let _e22 = v_erfcx(p_4);
         let _e23 = v_erfcx(r);
         return ((::naga_rust_rt::Scalar(1.7724538509055159f64) * (_e22 - (_e20 * _e23))) / root);
     }
-    let _e29 = v_dawson(p_3);
+    let _e29 = v_dawson(p_4);
     let _e30 = v_dawson(r);
     return ((::naga_rust_rt::Scalar(2f64) * (_e29 - (_e20 * _e30))) / root);
 }
@@ -1250,13 +1336,99 @@ fn v_line_at(
     let part = ((u - piece.x()) / (piece.z() - piece.x()).max(::naga_rust_rt::Scalar(0.000000000000000000000000000001f64))).clamp(::naga_rust_rt::Scalar(0f64), ::naga_rust_rt::Scalar(1f64));
     return (piece.y() + (part * (piece.w() - piece.y())));
 }
-pub fn quarter_sine(x_5: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>) -> f64 {
-    ::naga_rust_rt::into(v_quarter_sine(::naga_rust_rt::into(x_5)))
+pub fn power(
+    x_5: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>,
+    p: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>,
+) -> f64 {
+    ::naga_rust_rt::into(v_power(::naga_rust_rt::into(x_5), ::naga_rust_rt::into(p)))
 }
 #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-fn v_quarter_sine(x_5: ::naga_rust_rt::Scalar<f64>) -> ::naga_rust_rt::Scalar<f64> {
-    let y_3 = (x_5 * x_5);
-    return (x_5 * (::naga_rust_rt::Scalar(1.5707963705062866f64) + (y_3 * (::naga_rust_rt::Scalar(-0.645963728427887f64) + (y_3 * (::naga_rust_rt::Scalar(0.07968968152999878f64) + (y_3 * (::naga_rust_rt::Scalar(-0.004673766437917948f64) + (y_3 * ::naga_rust_rt::Scalar(0.00015148513193707913f64))))))))));
+fn v_power(
+    x_5: ::naga_rust_rt::Scalar<f64>,
+    p: ::naga_rust_rt::Scalar<f64>,
+) -> ::naga_rust_rt::Scalar<f64> {
+    let mut logarithm: ::naga_rust_rt::Scalar<f64>;
+
+    if ::naga_rust_rt::Scalar::into_branch_condition((!x_5.elementwise_gt(::naga_rust_rt::Scalar(0.000000000000000000000000000001f64)))) {
+        return ::naga_rust_rt::Scalar(0f64);
+    }
+    logarithm = x_5.log2();
+    if ::naga_rust_rt::Scalar::into_branch_condition(x_5.elementwise_gt(::naga_rust_rt::Scalar(0.7f64))) {
+        let u_2 = ((x_5 - ::naga_rust_rt::Scalar(1f64)) / (x_5 + ::naga_rust_rt::Scalar(1f64)));
+        let q_2 = (u_2 * u_2);
+        logarithm = ((::naga_rust_rt::Scalar(2.8853900817779268f64) * u_2) * (::naga_rust_rt::Scalar(1f64) + (q_2 * (::naga_rust_rt::Scalar(0.3333333333333333f64) + (q_2 * (::naga_rust_rt::Scalar(0.2f64) + (q_2 * (::naga_rust_rt::Scalar(0.14285714285714285f64) + (q_2 * ::naga_rust_rt::Scalar(0.1111111111111111f64))))))))));
+    }
+    let _e32 = logarithm;
+    return (p * _e32).max(::naga_rust_rt::Scalar(-125f64)).exp2();
+}
+pub fn fade(gradient: impl ::naga_rust_rt::Into<::naga_rust_rt::Vec3<f64>>) -> f64 {
+    ::naga_rust_rt::into(v_fade(::naga_rust_rt::into(gradient)))
+}
+#[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+fn v_fade(gradient: ::naga_rust_rt::Vec3<f64>) -> ::naga_rust_rt::Scalar<f64> {
+    let squared = gradient.dot(gradient);
+    return (squared / (squared + ::naga_rust_rt::Scalar(0.000001f64)));
+}
+pub fn normal_of(gradient_1: impl ::naga_rust_rt::Into<::naga_rust_rt::Vec3<f64>>) -> ::naga_rust_rt::Vec3<f64> {
+    ::naga_rust_rt::into(v_normal_of(::naga_rust_rt::into(gradient_1)))
+}
+#[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+fn v_normal_of(gradient_1: ::naga_rust_rt::Vec3<f64>) -> ::naga_rust_rt::Vec3<f64> {
+    return (gradient_1 / ::naga_rust_rt::Vec3::splat_from_scalar(gradient_1.length().max(::naga_rust_rt::Scalar(0.000000000000000001f64))));
+}
+pub fn lit(
+    gradient_2: impl ::naga_rust_rt::Into<::naga_rust_rt::Vec3<f64>>,
+    ray: impl ::naga_rust_rt::Into<::naga_rust_rt::Vec2<f64>>,
+    light: impl ::naga_rust_rt::Into<::naga_rust_rt::Vec4<f64>>,
+    material: impl ::naga_rust_rt::Into<::naga_rust_rt::Vec3<f64>>,
+) -> ::naga_rust_rt::Vec2<f64> {
+    ::naga_rust_rt::into(v_lit(::naga_rust_rt::into(gradient_2), ::naga_rust_rt::into(ray), ::naga_rust_rt::into(light), ::naga_rust_rt::into(material)))
+}
+#[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+fn v_lit(
+    gradient_2: ::naga_rust_rt::Vec3<f64>,
+    ray: ::naga_rust_rt::Vec2<f64>,
+    light: ::naga_rust_rt::Vec4<f64>,
+    material: ::naga_rust_rt::Vec3<f64>,
+) -> ::naga_rust_rt::Vec2<f64> {
+    let _e4 = v_fade(gradient_2);
+    let _e5 = v_normal_of(gradient_2);
+    let half_way = (light.xyz() - <::naga_rust_rt::Vec3<f64>>::new_21(ray, ::naga_rust_rt::Scalar(1f64)).normalize());
+    let glance = (_e5.dot(half_way).abs() / <::naga_rust_rt::Vec4<f64>>::new_31(half_way, ::naga_rust_rt::Scalar(0.001f64)).length());
+    let brightness = (light.w() + (material.x() * _e5.dot(light.xyz()).abs()));
+    let _e34 = v_power(glance.min(::naga_rust_rt::Scalar(1f64)), material.z());
+    return <::naga_rust_rt::Vec2<f64>>::from_scalars((::naga_rust_rt::Scalar(1f64) + (_e4 * (brightness - ::naga_rust_rt::Scalar(1f64)))), ((_e4 * material.y()) * _e34));
+}
+pub fn outlined(
+    gradient_3: impl ::naga_rust_rt::Into<::naga_rust_rt::Vec3<f64>>,
+    ray_1: impl ::naga_rust_rt::Into<::naga_rust_rt::Vec2<f64>>,
+    exponent: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>,
+    strength: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>,
+) -> f64 {
+    ::naga_rust_rt::into(v_outlined(::naga_rust_rt::into(gradient_3), ::naga_rust_rt::into(ray_1), ::naga_rust_rt::into(exponent), ::naga_rust_rt::into(strength)))
+}
+#[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+fn v_outlined(
+    gradient_3: ::naga_rust_rt::Vec3<f64>,
+    ray_1: ::naga_rust_rt::Vec2<f64>,
+    exponent: ::naga_rust_rt::Scalar<f64>,
+    strength: ::naga_rust_rt::Scalar<f64>,
+) -> ::naga_rust_rt::Scalar<f64> {
+    let _e4 = v_normal_of(gradient_3);
+    let direction = <::naga_rust_rt::Vec3<f64>>::new_21(ray_1, ::naga_rust_rt::Scalar(1f64)).normalize();
+    let sine = _e4.cross(direction);
+    let turned_away = (sine.dot(sine) / (::naga_rust_rt::Scalar(1f64) + _e4.dot(direction).abs()));
+    let _e15 = v_fade(gradient_3);
+    let _e19 = v_power(turned_away.min(::naga_rust_rt::Scalar(1f64)), exponent);
+    return (::naga_rust_rt::Scalar(1f64) + ((_e15 * strength) * (_e19 - ::naga_rust_rt::Scalar(1f64))));
+}
+pub fn quarter_sine(x_6: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>) -> f64 {
+    ::naga_rust_rt::into(v_quarter_sine(::naga_rust_rt::into(x_6)))
+}
+#[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+fn v_quarter_sine(x_6: ::naga_rust_rt::Scalar<f64>) -> ::naga_rust_rt::Scalar<f64> {
+    let y_3 = (x_6 * x_6);
+    return (x_6 * (::naga_rust_rt::Scalar(1.5707963705062866f64) + (y_3 * (::naga_rust_rt::Scalar(-0.645963728427887f64) + (y_3 * (::naga_rust_rt::Scalar(0.07968968152999878f64) + (y_3 * (::naga_rust_rt::Scalar(-0.004673766437917948f64) + (y_3 * ::naga_rust_rt::Scalar(0.00015148513193707913f64))))))))));
 }
 pub fn sine_of_turns(t_4: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>) -> f64 {
     ::naga_rust_rt::into(v_sine_of_turns(::naga_rust_rt::into(t_4)))
@@ -1277,31 +1449,31 @@ fn v_cosine_of_turns(t_5: ::naga_rust_rt::Scalar<f64>) -> ::naga_rust_rt::Scalar
     let _e10 = v_quarter_sine((::naga_rust_rt::Scalar(1f64) - (::naga_rust_rt::Scalar(4f64) * r_2.abs())));
     return _e10;
 }
-pub fn sinc_complement(x_6: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>) -> f64 {
-    ::naga_rust_rt::into(v_sinc_complement(::naga_rust_rt::into(x_6)))
+pub fn sinc_complement(x_7: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>) -> f64 {
+    ::naga_rust_rt::into(v_sinc_complement(::naga_rust_rt::into(x_7)))
 }
 #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-fn v_sinc_complement(x_6: ::naga_rust_rt::Scalar<f64>) -> ::naga_rust_rt::Scalar<f64> {
-    let h_2 = (::naga_rust_rt::Scalar(3.141592653589793f64) * x_6);
+fn v_sinc_complement(x_7: ::naga_rust_rt::Scalar<f64>) -> ::naga_rust_rt::Scalar<f64> {
+    let h_2 = (::naga_rust_rt::Scalar(3.141592653589793f64) * x_7);
     let y_4 = (h_2 * h_2);
     if ::naga_rust_rt::Scalar::into_branch_condition(y_4.elementwise_lt(::naga_rust_rt::Scalar(2.25f64))) {
         return (y_4 * (::naga_rust_rt::Scalar(0.1666666716337204f64) + (y_4 * (::naga_rust_rt::Scalar(-0.008333330042660236f64) + (y_4 * (::naga_rust_rt::Scalar(0.00019840399909298867f64) + (y_4 * (::naga_rust_rt::Scalar(-0.0000027487419629323995f64) + (y_4 * ::naga_rust_rt::Scalar(0.0000000229902035187024f64))))))))));
     }
-    let _e22 = v_sine_of_turns((::naga_rust_rt::Scalar(0.5f64) * x_6));
+    let _e22 = v_sine_of_turns((::naga_rust_rt::Scalar(0.5f64) * x_7));
     return (::naga_rust_rt::Scalar(1f64) - (_e22 / h_2));
 }
-pub fn bessel_one(x_7: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>) -> f64 {
-    ::naga_rust_rt::into(v_bessel_one(::naga_rust_rt::into(x_7)))
+pub fn bessel_one(x_8: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>) -> f64 {
+    ::naga_rust_rt::into(v_bessel_one(::naga_rust_rt::into(x_8)))
 }
 #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-fn v_bessel_one(x_7: ::naga_rust_rt::Scalar<f64>) -> ::naga_rust_rt::Scalar<f64> {
-    let h_3 = (::naga_rust_rt::Scalar(3.141592653589793f64) * x_7);
+fn v_bessel_one(x_8: ::naga_rust_rt::Scalar<f64>) -> ::naga_rust_rt::Scalar<f64> {
+    let h_3 = (::naga_rust_rt::Scalar(3.141592653589793f64) * x_8);
     let y_5 = (h_3 * h_3);
     if ::naga_rust_rt::Scalar::into_branch_condition(y_5.elementwise_lt(::naga_rust_rt::Scalar(2.25f64))) {
         return (h_3 * (::naga_rust_rt::Scalar(0.3333333333333333f64) + (y_5 * (::naga_rust_rt::Scalar(-0.03333333333333333f64) + (y_5 * (::naga_rust_rt::Scalar(0.0011904761904761906f64) + (y_5 * (::naga_rust_rt::Scalar(-0.000022045855379188714f64) + (y_5 * (::naga_rust_rt::Scalar(0.0000002505210838544172f64) - (y_5 * ::naga_rust_rt::Scalar(0.0000000019270852604185937f64))))))))))));
     }
-    let _e25 = v_sine_of_turns((::naga_rust_rt::Scalar(0.5f64) * x_7));
-    let _e28 = v_cosine_of_turns((::naga_rust_rt::Scalar(0.5f64) * x_7));
+    let _e25 = v_sine_of_turns((::naga_rust_rt::Scalar(0.5f64) * x_8));
+    let _e28 = v_cosine_of_turns((::naga_rust_rt::Scalar(0.5f64) * x_8));
     return ((_e25 - (h_3 * _e28)) / y_5);
 }
 pub fn strength_position(t_6: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>) -> f64 {
@@ -1848,7 +2020,7 @@ fn v_gaussian_product_mean(
     let tilt_6 = (weights_3.y().select(weights_3.x(), from_back) - near_weight_2);
     let gen_v_start = near_end.dot(along);
     let across = ((near_end.x() * along.y()) - (near_end.y() * along.x()));
-    let q_2 = (across * across);
+    let q_3 = (across * across);
     let gen_v_end = (gen_v_start + extent_5);
     if ::naga_rust_rt::Scalar::into_branch_condition(extent_5.elementwise_lt(::naga_rust_rt::Scalar(1f64))) {
         local_6 = (extent_5 * (gen_v_start + gen_v_end).abs()).elementwise_lt(::naga_rust_rt::Scalar(2f64));
@@ -1857,19 +2029,19 @@ fn v_gaussian_product_mean(
     }
     let _e49 = local_6;
     if ::naga_rust_rt::Scalar::into_branch_condition(_e49) {
-        let _e50 = v_gaussian_mean_short(gen_v_start, extent_5, q_2, near_weight_2, tilt_6);
+        let _e50 = v_gaussian_mean_short(gen_v_start, extent_5, q_3, near_weight_2, tilt_6);
         return _e50;
     }
     let a_8 = gen_v_start.abs().min(gen_v_end.abs());
     let b_8 = gen_v_start.abs().max(gen_v_end.abs());
-    let _e59 = v_attenuation(((a_8 * a_8) + q_2));
-    let _e62 = v_attenuation(((b_8 * b_8) + q_2));
+    let _e59 = v_attenuation(((a_8 * a_8) + q_3));
+    let _e62 = v_attenuation(((b_8 * b_8) + q_3));
     let _e63 = v_erfcx(a_8);
     let tail_a = (_e59 * _e63);
     let _e65 = v_erfcx(b_8);
     let tail_b = (_e62 * _e65);
     let same_side = (gen_v_start * gen_v_end).elementwise_gt(::naga_rust_rt::Scalar(0f64));
-    let _e70 = v_attenuation(q_2);
+    let _e70 = v_attenuation(q_3);
     let area = (((::naga_rust_rt::Scalar(2f64) * _e70) - tail_a) - tail_b).select((tail_a - tail_b), same_side);
     let mean_3 = ((::naga_rust_rt::Scalar(0.886226925452758f64) * area) / extent_5);
     product_3 = (near_weight_2 * mean_3);
