@@ -17,7 +17,8 @@
 //! | [`plan`] | what a view implies, without colour: the near plane's cuts, the order of cells |
 //! | [`image`] | linear pictures, PNG and EXR, [`image::Comparison`] |
 //! | [`renderer`] | [`renderer::Renderer`] and the closed sets of choices |
-//! | [`oracle`] | the integral in f64 by quadrature: the truth, and the renderer of machines without a driver |
+//! | [`oracle`] | the integral in f64 by quadrature: the truth |
+//! | [`cpu`] | ray casting from cell to cell in f32 on all cores, for machines without a graphics processor |
 //! | [`gpu`] | projection on wgpu: the only module that knows of it; its passes are the files of `shaders/` |
 //! | [`report`] | what runs are worth in numbers: [`report::segments`] holds an integral against the truth |
 //! | `cli` | the command line (feature `cli`): arguments, jobs, one file a command |
@@ -49,6 +50,7 @@
 
 #[cfg(feature = "cli")]
 pub mod cli;
+pub mod cpu;
 pub mod error;
 pub mod gpu;
 pub mod image;

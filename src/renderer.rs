@@ -14,9 +14,13 @@ pub use integral::SegmentIntegral;
 /// How cells meet pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
-    /// Projected tetrahedra (Shirley & Tuchman 1990): rasterised triangles, blended back to front.
+    /// What the device does best: projection on a graphics device, ray casting on the CPU.
     #[default]
+    Auto,
+    /// Projected tetrahedra (Shirley & Tuchman 1990): rasterised triangles, blended back to front.
     Project,
+    /// Rays from cell to cell (Weiler et al. 2003), front to back: visibility is exact.
+    RayCast,
 }
 
 /// In which order cells are blended.
@@ -66,6 +70,9 @@ pub struct Settings {
     pub sort: SortPlace,
     /// What to blend into.
     pub blend: BlendFormat,
+    /// Rays end where less than this share of the light behind would be seen, 0 to 1; 0: only at the mesh's end. The
+    /// picture errs by at most as much, times the colours behind.
+    pub least_transmittance: f64,
 }
 
 impl Default for Settings {
@@ -77,6 +84,7 @@ impl Default for Settings {
             cull: true,
             sort: SortPlace::default(),
             blend: BlendFormat::default(),
+            least_transmittance: 1e-5,
         }
     }
 }

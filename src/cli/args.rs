@@ -78,7 +78,7 @@ pub(super) struct RenderArgs {
     /// Picture to write: .png (8 bit, straight alpha, sRGB) or .exr (32-bit float, linear, premultiplied)
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
-    /// Where to render: a graphics adapter (hardware preferred), a software one, or the f64 reference on the CPU
+    /// Where to render: a graphics adapter (hardware preferred), a software one, the CPU, or the f64 reference there
     #[arg(long, value_name = "DEVICE", default_value = "auto")]
     pub device: Device,
     /// Write PNG values without the sRGB curve
@@ -173,7 +173,7 @@ pub(super) struct SceneArgs {
 #[command(next_help_heading = "Method")]
 pub(super) struct ChoiceArgs {
     /// How cells meet pixels
-    #[arg(long, default_value = "project")]
+    #[arg(long, default_value = "auto")]
     pub method: Method,
     /// In which order cells are blended
     #[arg(long, default_value = "centroid")]
@@ -192,6 +192,9 @@ pub(super) struct ChoiceArgs {
     /// Keep cells that the transfer function leaves empty
     #[arg(long)]
     pub no_cull: bool,
+    /// Rays end where they would see less than this share of what lies behind; 0: at the mesh's end
+    #[arg(long, value_name = "SHARE", default_value = "1e-5", value_parser = parse::share)]
+    pub least_transmittance: f64,
 }
 
 impl ChoiceArgs {
@@ -199,7 +202,9 @@ impl ChoiceArgs {
     pub fn settings(self) -> renderer::Settings {
         renderer::Settings {
             method: match self.method {
+                Method::Auto => renderer::Method::Auto,
                 Method::Project => renderer::Method::Project,
+                Method::Raycast => renderer::Method::RayCast,
             },
             integral: self.integral,
             order: match self.order {
@@ -216,6 +221,7 @@ impl ChoiceArgs {
                 Blend::F32 => renderer::BlendFormat::F32,
                 Blend::F16 => renderer::BlendFormat::F16,
             },
+            least_transmittance: self.least_transmittance,
         }
     }
 }
@@ -245,8 +251,12 @@ pub(super) enum SilhouetteMode {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Method {
+    /// Projected tetrahedra on graphics devices, rays on the CPU
+    Auto,
     /// Projected tetrahedra
     Project,
+    /// Rays from cell to cell: visibility is exact
+    Raycast,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
@@ -280,12 +290,14 @@ pub(super) enum Blend {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Device {
-    /// A graphics adapter if there is one, else the reference
+    /// A hardware graphics adapter if there is one, else the CPU, or what can render the scene
     Auto,
     /// Any graphics adapter, hardware preferred
     Gpu,
     /// A software graphics adapter
     Software,
+    /// Rays through the cells, on all cores
+    Cpu,
     /// The f64 reference on the CPU: slow and exact
     Oracle,
 }

@@ -5,37 +5,73 @@ use std::sync::Arc;
 use indicatif::ProgressBar;
 
 use super::args::Device;
-use super::output::note;
+use crate::cpu::{self, CpuRenderer};
 use crate::error::{Error, Result};
 use crate::gpu::{DeviceChoice, Gpu, GpuRenderer};
 use crate::oracle::Oracle;
-use crate::renderer::{Renderer, Settings};
+use crate::renderer::{Method, Renderer, Settings};
+use crate::scene::{Optics, TransferFunction};
 use crate::tet::TetMesh;
 
-/// The renderer for `device`. `bar` follows pictures of renderers that know how far they are.
-pub(super) fn renderer(
-    mesh: &Arc<TetMesh>,
-    device: Device,
-    settings: Settings,
-    bar: &ProgressBar,
-) -> Result<Box<dyn Renderer>> {
-    match device {
-        Device::Oracle => Ok(reference(mesh, bar)),
-        Device::Gpu => graphics(mesh, DeviceChoice::Any, settings),
-        Device::Software => graphics(mesh, DeviceChoice::Software, settings),
-        Device::Auto => match graphics(mesh, DeviceChoice::Any, settings) {
-            Err(Error::Device(why)) => {
-                note(&format!("note: {why}"));
-                note("note: rendering on the CPU with the f64 reference instead, which is slow");
-                Ok(reference(mesh, bar))
-            }
-            other => other,
-        },
+/// A renderer, and what is to be said of the choice.
+pub(super) struct Chosen {
+    pub renderer: Box<dyn Renderer>,
+    pub note: Option<String>,
+}
+
+/// What decides.
+pub(super) struct Wish<'a> {
+    pub device: Device,
+    pub settings: Settings,
+    pub transfer: &'a TransferFunction,
+    pub optics: &'a Optics,
+}
+
+/// The renderer of one's wish. `bar` follows pictures of renderers that know how far they are.
+pub(super) fn renderer(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<Chosen> {
+    let settings = wish.settings;
+    let renderer = match wish.device {
+        Device::Oracle => reference(mesh, bar),
+        Device::Cpu => cast(mesh, settings)?,
+        Device::Gpu => project(Gpu::new(DeviceChoice::Any)?, mesh, settings)?,
+        Device::Software => project(Gpu::new(DeviceChoice::Software)?, mesh, settings)?,
+        Device::Auto => return automatic(mesh, wish, bar),
+    };
+    Ok(Chosen { renderer, note: None })
+}
+
+/// Hardware first; then the CPU engine if it can render the scene; then a software adapter, and the reference at last.
+fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<Chosen> {
+    let settings = wish.settings;
+    let chosen = |renderer, note: &str| Ok(Chosen { renderer, note: (!note.is_empty()).then(|| note.into()) });
+    if settings.method == Method::RayCast {
+        return chosen(cast(mesh, settings)?, "");
+    }
+    let castable =
+        settings.method == Method::Auto && cpu::supports(wish.transfer, wish.optics, settings.integral).is_ok();
+    match Gpu::new(DeviceChoice::Any) {
+        Ok(gpu) if gpu.is_software() && castable => chosen(
+            cast(mesh, settings)?,
+            &format!("'{}' is a software adapter, and the CPU engine is faster: chosen instead", gpu.info.name),
+        ),
+        Ok(gpu) => chosen(project(gpu, mesh, settings)?, ""),
+        Err(Error::Device(_)) if castable => {
+            chosen(cast(mesh, settings)?, "no graphics adapter was found: rays are cast on the CPU")
+        }
+        Err(Error::Device(why)) => {
+            let note = format!("{why}; rendered on the CPU with the f64 reference instead, which is slow");
+            chosen(reference(mesh, bar), &note)
+        }
+        Err(other) => Err(other),
     }
 }
 
-fn graphics(mesh: &Arc<TetMesh>, choice: DeviceChoice, settings: Settings) -> Result<Box<dyn Renderer>> {
-    Ok(Box::new(GpuRenderer::new(Gpu::new(choice)?, Arc::clone(mesh), settings)?))
+fn cast(mesh: &Arc<TetMesh>, settings: Settings) -> Result<Box<dyn Renderer>> {
+    Ok(Box::new(CpuRenderer::new(Arc::clone(mesh), settings)?))
+}
+
+fn project(gpu: Gpu, mesh: &Arc<TetMesh>, settings: Settings) -> Result<Box<dyn Renderer>> {
+    Ok(Box::new(GpuRenderer::new(gpu, Arc::clone(mesh), settings)?))
 }
 
 fn reference(mesh: &Arc<TetMesh>, bar: &ProgressBar) -> Box<dyn Renderer> {

@@ -55,6 +55,12 @@ pub(super) fn color(text: &str) -> Result<String, String> {
     }
 }
 
+/// A number from 0 to 1.
+pub(super) fn share(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse().ok().filter(|v| (0.0..=1.0).contains(v));
+    number.ok_or_else(|| "write a number from 0 to 1, as 1e-5".into())
+}
+
 /// `key=value`.
 pub(super) fn assignment(text: &str) -> Result<(String, String), String> {
     match text.split_once('=') {

@@ -18,8 +18,9 @@ pub(super) fn run(args: &RenderArgs) -> anyhow::Result<()> {
     let mesh = Arc::new(mesh);
     let bar = progress::bar("rendering");
     let start = Instant::now();
-    let mut renderer =
-        progress::step("preparing", || device::renderer(&mesh, args.device, args.choices.settings(), &bar))?;
+    let settings = args.choices.settings();
+    let wish = device::Wish { device: args.device, settings, transfer: &transfer, optics: &job.scene.optics };
+    let device::Chosen { mut renderer, note } = progress::step("preparing", || device::renderer(&mesh, &wish, &bar))?;
     let prepare = start.elapsed();
     let background = job.scene.premultiplied_background();
     let frame =
@@ -30,6 +31,7 @@ pub(super) fn run(args: &RenderArgs) -> anyhow::Result<()> {
     if !rendered.stats.passes.is_empty() {
         rendered.stats = renderer.render(&frame, timed)?.stats;
     }
+    rendered.stats.notes.splice(0..0, note);
     let frames = if timed || args.repeat > 1 { time_frames(&mut *renderer, &frame, args.repeat)? } else { Vec::new() };
     let image = if args.legend { legend::beside(&rendered.image, &mesh, &transfer)? } else { rendered.image };
     progress::step("writing", || image.write(&args.output, job.encoding))?;

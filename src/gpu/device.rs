@@ -72,7 +72,7 @@ impl Gpu {
             };
             Error::Device(format!(
                 "no {kind} adapter was found; install a Vulkan driver (mesa-vulkan-drivers has a software one), \
-                 or render with --device oracle"
+                 or render with --device cpu"
             ))
         }))
     }
@@ -84,7 +84,7 @@ impl Gpu {
         if limits.max_storage_buffers_per_shader_stage < MOST_STORAGE_BUFFERS {
             return Err(Error::Device(format!(
                 "'{}' binds {} storage buffers to a shader, and {MOST_STORAGE_BUFFERS} are needed; render with \
-                 --device oracle",
+                 --device cpu",
                 info.name, limits.max_storage_buffers_per_shader_stage
             )));
         }

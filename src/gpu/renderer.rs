@@ -18,7 +18,7 @@ use crate::gpu::target::Target;
 use crate::gpu::transfer::TransferBuffers;
 use crate::plan::near::{self, NearCut};
 use crate::renderer::{
-    BlendFormat, BufferSize, Frame, Rendered, Renderer, SegmentIntegral, Settings, SortPlace, Stats,
+    BlendFormat, BufferSize, Frame, Method, Rendered, Renderer, SegmentIntegral, Settings, SortPlace, Stats,
 };
 use crate::scene::{EmissionModel, Projection, TransferFunction};
 use crate::tet::TetMesh;
@@ -61,6 +61,11 @@ impl GpuRenderer {
     /// # Errors
     /// A mesh beyond the device's limits (with the numbers), a device that refuses or cannot blend as asked.
     pub fn new(gpu: Gpu, mesh: Arc<TetMesh>, settings: Settings) -> Result<Self> {
+        if settings.method == Method::RayCast {
+            return Err(Error::Asked(
+                "graphics devices do not cast rays yet: use --device cpu, or --method project".into(),
+            ));
+        }
         let f16 = match settings.blend {
             BlendFormat::Auto => !gpu.blends_f32(),
             BlendFormat::F16 => true,

@@ -243,7 +243,7 @@ fn check_size(gpu: &Gpu, vertices: u64, tets: u64) -> Result<()> {
     if vertices > most_vertices || tets > most_tets {
         return Err(Error::Device(format!(
             "the mesh and its pieces at the near plane need room for {vertices} vertices and {tets} tetrahedra; '{}' \
-             binds {} MiB at once, which is room for {most_vertices} and {most_tets}; render with --device oracle, or \
+             binds {} MiB at once, which is room for {most_vertices} and {most_tets}; render with --device cpu, or \
              a coarser mesh",
             gpu.info.name,
             gpu.max_binding >> 20

@@ -1,0 +1,26 @@
+//! Field values on 0..1.
+
+use crate::space::Interval;
+
+/// Maps data units to 0..1, in f64, before anything is narrowed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Axis {
+    /// Data value that becomes 0.
+    low: f64,
+    /// Per data unit.
+    pub scale: f64,
+}
+
+impl Axis {
+    /// The range becomes 0..1; a range without extent becomes 0.
+    pub fn of(range: Interval) -> Self {
+        let length = range.length();
+        let low = if range.min.is_finite() { range.min } else { 0.0 };
+        Self { low, scale: if length > 0.0 { 1.0 / length } else { 1.0 } }
+    }
+
+    /// Data value to 0..1.
+    pub fn apply(self, value: f64) -> f64 {
+        (value - self.low) * self.scale
+    }
+}
