@@ -17,14 +17,14 @@ fn one_color(case: &Case) -> bool {
     widgets.iter().all(|w| w.color == widgets[0].color)
 }
 
-/// Of opacity, and of the colours of cases of one colour: by how much each exceeds what is allowed (issue 3).
+/// Of opacity, and of the colours of cases of one colour: by how much each exceeds what is allowed.
 fn excess(case: &Case, got: [f32; 4], distort: f64) -> f64 {
     let got = got.map(|v| f64::from(v) + distort);
     let (want, allowed) = (&case.expected, &case.sensitivity);
     let mut worst = (got[3] - want.opacity).abs() - (2e-6 + 4.0 * allowed.opacity);
     if one_color(case) {
-        for c in 0..3 {
-            worst = worst.max((got[c] - want.weighted[c]).abs() - (2e-6 + 4.0 * allowed.weighted));
+        for (got, want) in got.iter().zip(want.weighted) {
+            worst = worst.max((got - want).abs() - (2e-6 + 4.0 * allowed.weighted));
         }
     }
     if got.iter().all(|v| v.is_finite()) { worst } else { f64::INFINITY }
