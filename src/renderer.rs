@@ -135,6 +135,8 @@ pub struct Stats {
     pub buffers: Vec<BufferSize>,
     /// Adapter, driver and back end, or the CPU engine's name.
     pub adapter: String,
+    /// What the pipelines were specialised for, one line; empty where nothing is compiled for a scene.
+    pub pipelines: String,
     /// Choices that the renderer made, one sentence each.
     pub notes: Vec<String>,
 }

@@ -96,7 +96,7 @@ fn check(renderer: &mut CpuRenderer, camera: &Camera, extinction: f64) -> (usize
         });
         seen += usize::from(high > 0.0);
         // Phrased so that NaN fails.
-        bad += usize::from(!(error <= LIMIT));
+        bad += usize::from(error.is_nan() || error > LIMIT);
         worst = worst.max(error);
     }
     (seen, bad, worst)

@@ -38,6 +38,7 @@ pub(super) struct Report<'a> {
     frame_seconds: f64,
     frame_seconds_min: f64,
     frame_seconds_max: f64,
+    pipelines: &'a str,
     notes: &'a [String],
 }
 
@@ -101,6 +102,7 @@ impl<'a> Report<'a> {
             frame_seconds: median(&seconds),
             frame_seconds_min: seconds.first().copied().unwrap_or(0.0),
             frame_seconds_max: seconds.last().copied().unwrap_or(0.0),
+            pipelines: &stats.pipelines,
             notes: &stats.notes,
         }
     }
@@ -125,6 +127,9 @@ impl<'a> Report<'a> {
             choices.order,
             if choices.cull { "on" } else { "off" }
         );
+        if !self.pipelines.is_empty() {
+            let _ = writeln!(text, "pipelines {}", self.pipelines);
+        }
         let MeshSize { field, vertices, tets } = self.mesh;
         let _ = writeln!(text, "mesh      {tets} tetrahedra, {vertices} vertices, field {field}");
         let _ = writeln!(text, "image     {} x {} pixels", self.image.width, self.image.height);

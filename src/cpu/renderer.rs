@@ -144,6 +144,7 @@ impl CpuRenderer {
         let sizes = self.cells.sizes().into_iter();
         let sizes = sizes.chain(scene.map(|s| ("empty cells", s.empty.bytes())));
         Stats {
+            pipelines: Default::default(),
             cells: vec![("mesh".into(), cells), ("transfer function".into(), visible)],
             passes: if timed { passes.map(pass).collect() } else { Vec::new() },
             buffers: sizes.map(|(name, bytes)| BufferSize { name: name.into(), bytes: bytes as u64 }).collect(),

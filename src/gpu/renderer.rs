@@ -249,7 +249,9 @@ impl GpuRenderer {
             self.raster(&mut recorder, &all, survivors, survivors.unwrap_or(uniform.most_drawn))?;
             recorder.finish()?
         };
-        let stats = Stats { passes, notes, adapter: self.gpu.describe(), ..Default::default() };
+        let scene = self.scene.as_ref().ok_or_else(unprepared)?;
+        let pipelines = scene.transfer.describe(self.settings.integral, scene.bands.is_some());
+        let stats = Stats { passes, notes, pipelines, adapter: self.gpu.describe(), ..Default::default() };
         Ok(Drawn { stats, pieces })
     }
 

@@ -115,6 +115,36 @@ impl TransferBuffers {
         Ok(buffers)
     }
 
+    /// What the shaders were specialised for: kinds of widgets, emission, integral, and how cells are drawn. `bands`:
+    /// cells are drawn band by band.
+    pub fn describe(&self, integral: SegmentIntegral, bands: bool) -> String {
+        let on = |name: &str| self.constants.iter().any(|(n, value)| *n == name && *value > 0.0);
+        let function = match &self.source {
+            TransferFunction::Curve(_) => "a curve".to_owned(),
+            TransferFunction::Widgets(list) => {
+                let kinds: Vec<&str> = [
+                    ("GAUSSIANS", "gaussian"),
+                    ("TRIANGLES", "triangle"),
+                    ("COSINES", "cos"),
+                    ("ARCHES", "arch or half"),
+                    ("RAMPS", "ramp"),
+                    ("WINDOWS", "with windows"),
+                    ("RANGES", "with ranges"),
+                ]
+                .into_iter()
+                .filter_map(|(constant, kind)| on(constant).then_some(kind))
+                .collect();
+                let kinds = if kinds.is_empty() { "uniform".to_owned() } else { kinds.join(", ") };
+                let axes = if on("BIVARIATE") { "scalar and gradient" } else { "scalar" };
+                let colors = if on("ONE_COLOR") { "one colour" } else { "several colours" };
+                format!("{} widgets ({kinds}) of {axes} in {colors}", list.len())
+            }
+        };
+        let emission = if self.emission == EmissionModel::Unweighted { "unweighted" } else { "weighted" };
+        let way = if bands { "drawn band by band" } else { "a loop over each cell's widgets or pieces" };
+        format!("shaders are specialised for {function}, {emission} emission, {integral}, {way}")
+    }
+
     /// Adds the buffers to what kernels may bind.
     #[must_use]
     pub fn offer<'a>(&'a self, resources: Resources<'a>) -> Resources<'a> {

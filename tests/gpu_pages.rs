@@ -1,0 +1,54 @@
+//! What `docs/integrals.md` is made by, small; and what `--explain` tells of pipelines.
+
+use std::sync::Arc;
+
+use tetralux::gpu::{DeviceChoice, Gpu, GpuRenderer};
+use tetralux::renderer::{Frame, Renderer as _, Settings};
+use tetralux::scene::Scene;
+
+#[path = "../examples/integrals_page.rs"]
+#[expect(dead_code, reason = "its main is another program's")]
+mod integrals_page;
+
+#[test]
+fn integrals_stand_in_the_order_of_their_page() {
+    let (image, rows) = integrals_page::page(Some([48, 32])).expect("a page");
+    assert_eq!([image.width, image.height], [4 * 48 + 16, 4 * 32 + 12]);
+    let psnr = |name: &str| rows.iter().find(|row| row.0 == name).expect("a row").1.psnr;
+    // The thin band separates them by far: a picture of the wrong integral would stand out.
+    for exact in ["partial", "partial-direct", "analytic", "adaptive:1e-3"] {
+        for crude in ["vertex-linear", "mean-scalar"] {
+            assert!(psnr(exact) > psnr(crude) + 20.0, "{exact} {}, {crude} {}", psnr(exact), psnr(crude));
+        }
+    }
+}
+
+#[test]
+fn pipelines_tell_what_they_are_made_for() {
+    let mesh = tetralux::mesh::synth::Sample::Tangle.mesh(200);
+    let (mesh, _) = tetralux::tet::TetMesh::new(mesh, &Default::default(), Default::default()).expect("a mesh");
+    let mesh = Arc::new(mesh);
+    let gpu = Gpu::new(DeviceChoice::Software).expect("a software adapter");
+    let mut renderer = GpuRenderer::new(gpu, Arc::clone(&mesh), Settings::default()).expect("a renderer");
+    for (transfer, parts) in [
+        (
+            "[[transfer.widget]]\nshape = 'triangle'\nperiod = 2\ncolor = [1, 0, 0]\nextinction = 1\n\
+             gradient_range = [1, 2]",
+            [
+                "1 widgets (triangle, with ranges) of scalar and gradient in one colour",
+                "weighted",
+                "adaptive:0.001, a loop",
+            ],
+        ),
+        ("[transfer.curve]\npoints = [[0, 1, 0, 0, 0], [9, 1, 0, 0, 1]]", ["a curve", "weighted", "band by band"]),
+    ] {
+        let scene = Scene::parse(transfer, &[]).expect("a scene");
+        let (camera, transfer) = scene.resolve(&mesh).expect("a camera");
+        let frame =
+            Frame { camera: &camera, transfer: &transfer, optics: &scene.optics, size: [16, 12], background: [0.0; 4] };
+        let told = renderer.render(&frame, false).expect("a picture").stats.pipelines;
+        for part in parts {
+            assert!(told.contains(part), "'{told}' lacks '{part}'");
+        }
+    }
+}
