@@ -1,5 +1,7 @@
 //! The worked uses of `examples/` run: small, on the CPU, with a file and without. `gpu_` tests cover what needs a device.
 
+#![allow(clippy::duplicate_mod, reason = "each example brings what they share")]
+
 use std::path::Path;
 
 use tetralux::Result;

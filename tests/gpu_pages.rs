@@ -26,7 +26,8 @@ fn integrals_stand_in_the_order_of_their_page() {
 #[test]
 fn pipelines_tell_what_they_are_made_for() {
     let mesh = tetralux::mesh::synth::Sample::Tangle.mesh(200);
-    let (mesh, _) = tetralux::tet::TetMesh::new(mesh, &Default::default(), Default::default()).expect("a mesh");
+    let (mesh, _) =
+        tetralux::tet::TetMesh::new(mesh, &Default::default(), tetralux::tet::HexSplit::default()).expect("a mesh");
     let mesh = Arc::new(mesh);
     let gpu = Gpu::new(DeviceChoice::Software).expect("a software adapter");
     let mut renderer = GpuRenderer::new(gpu, Arc::clone(&mesh), Settings::default()).expect("a renderer");
