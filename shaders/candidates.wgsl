@@ -19,7 +19,9 @@
 
 struct BandTotals {
     bands: atomic<u32>,
-    // In one cell.
+    // Pairs of them, the last one of a cell perhaps alone.
+    pairs: atomic<u32>,
+    // Bands in one cell.
     most: atomic<u32>,
     // Largest optical depth that a ray may find in a cell, as bits.
     deepest: atomic<u32>,
@@ -231,6 +233,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
                 let bands = bands_between(scalars.x, scalars.y);
                 cell_bands[i] = bands;
                 atomicAdd(&band_totals.bands, band_count(bands));
+                atomicAdd(&band_totals.pairs, (band_count(bands) + 1u) >> 1u);
                 atomicMax(&band_totals.most, band_count(bands));
                 atomicMax(&band_totals.deepest, bitcast<u32>(depth_bound(tets[i])));
                 if band_count(bands) > 1u {

@@ -58,7 +58,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
         if keep && covers_a_pixel(tets[i]) {
             atomicOr(&block_flags[lane >> 5u], bit);
             if BANDS && (banded[word] & bit) != 0u {
-                atomicAdd(&block_bands[lane >> 5u], band_count(cell_bands[i]) - 1u);
+                atomicAdd(&block_bands[lane >> 5u], span_count(cell_bands[i]) - 1u);
             }
         }
     }

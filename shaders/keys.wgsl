@@ -32,7 +32,7 @@ fn band_rank_of(i: u32) -> u32 {
     let earlier = survivors[word] & ((1u << (i & 31u)) - 1u);
     var before = block_offsets[i >> 8u] + word_bands[word] + countOneBits(earlier);
     for (var rest = earlier & banded[word]; rest != 0u; rest &= rest - 1u) {
-        before += band_count(cell_bands[word * 32u + firstTrailingBit(rest)]) - 1u;
+        before += span_count(cell_bands[word * 32u + firstTrailingBit(rest)]) - 1u;
     }
     return before;
 }
@@ -57,11 +57,11 @@ fn main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) group
     if BANDS {
         let first = band_rank_of(i);
         keys[first] = key;
-        order[first] = (range.first_tet + i) << BAND_BITS;
+        order[first] = (range.first_tet + i) << SPAN_BITS;
         if (banded[i >> 5u] & (1u << (i & 31u))) != 0u {
-            for (var k = 1u; k < band_count(cell_bands[i]); k++) {
+            for (var k = 1u; k < span_count(cell_bands[i]); k++) {
                 keys[first + k] = key;
-                order[first + k] = (range.first_tet + i) << BAND_BITS | k;
+                order[first + k] = (range.first_tet + i) << SPAN_BITS | k;
             }
         }
         return;

@@ -28,8 +28,9 @@
 @group(3) @binding(3) var<storage, read> projected: array<vec2f>;
 // Four corners a cell; per corner: clip xy; 1/z and scalar/z; three tent functions; then, of the first corner alone, at
 // the apex, the thickness (negative where the front is the interpolated side) and the change of scalar/z from the
-// interpolated to the other side; with BIVARIATE gradient/z and its change; with BANDS the piece, as 4 x piece + 1 where
-// the band is not clipped below + 2 where it is not above, and the scalar is 0 and 1 at the band's ends. With SHADED the
+// interpolated to the other side; with BIVARIATE gradient/z and its change; with BANDS the lower piece, as 8 x piece
+// + 1 where the span is not clipped below + 2 where it is not above + 4 where it has no upper band, and the scalar is that
+// of the span. With SHADED the
 // gradient vector/z in view axes, and its change, come last.
 //
 // Few and plain stores: on a software adapter they were most of the time of this pass.
@@ -155,13 +156,15 @@ fn growth_about(middle: vec2f, a: vec2f, b: vec2f, c: vec2f, d: vec2f) -> f32 {
     return min(HAIR / max(inner, 1e-30), LONGEST_HAIR / max(outer, 1e-30));
 }
 
-// The band of a cell that is drawn as the k-th from behind. `mu`: weights of the vertices, whose mean is the eye. Along
-// every ray from there scalars only rise or only fall, so bands farther from the eye's scalar lie behind.
-fn band_index(k: u32, bands: u32, mu: vec4f, scalars: vec4f) -> u32 {
-    let last = band_count(bands) - 1u;
+override BANDS_PER_SPAN: u32 = select(1u, 2u, PAIRED);
+
+// The span of a cell that is drawn as the k-th from behind. `mu`: weights of the vertices, whose mean is the eye. Along
+// every ray from there scalars only rise or only fall, so spans farther from the eye's scalar lie behind.
+fn span_index(k: u32, bands: u32, mu: vec4f, scalars: vec4f) -> u32 {
+    let last = span_count(bands) - 1u;
     var below_eye = 0u;
     for (var j = 1u; j <= last; j++) {
-        if dot(mu, scalars - nodes[first_band(bands) + j].x) >= 0.0 {
+        if dot(mu, scalars - nodes[first_band(bands) + BANDS_PER_SPAN * j].x) >= 0.0 {
             below_eye = j;
         }
     }
@@ -177,7 +180,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     let entry = order[rank];
-    let cell = select(entry, entry >> BAND_BITS, BANDS);
+    let cell = select(entry, entry >> SPAN_BITS, BANDS);
     let tet = tet_at(cell);
     let p0 = vertices[tet.x];
     let p1 = vertices[tet.y];
@@ -211,16 +214,17 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         apex.thickness = abs(volume) * scales.x;
     }
     var scalars = vec4f(p0.w, p1.w, p2.w, p3.w);
-    var piece = 0u;
-    var open = 0u;
+    var span = 0u;
     if BANDS {
         let bands = cell_bands[cell];
-        let index = band_index(entry & ((1u << BAND_BITS) - 1u), bands, mu, scalars);
-        piece = first_band(bands) + index;
-        open = select(0u, 1u, index == 0u && band_reaches_low(bands))
-            + select(0u, 2u, index + 1u == band_count(bands) && band_reaches_high(bands));
-        let begin = nodes[piece].x;
-        scalars = (scalars - begin) / (nodes[piece + 1u].x - begin);
+        let index = span_index(entry & ((1u << SPAN_BITS) - 1u), bands, mu, scalars);
+        let piece = first_band(bands) + BANDS_PER_SPAN * index;
+        let is_last = index + 1u == span_count(bands);
+        span = piece * 8u + select(0u, 1u, index == 0u && band_reaches_low(bands))
+            + select(0u, 2u, is_last && band_reaches_high(bands))
+            + select(0u, 4u, !PAIRED || (is_last && (band_count(bands) & 1u) != 0u));
+        let middle = nodes[piece + 1u].x;
+        scalars = (scalars - middle) / (middle - nodes[piece].x);
     }
     var g = vec4f(0.0);
     apex.scalar_change = dot(back_weights, scalars) * scales.y - dot(front_weights, scalars) * scales.x;
@@ -283,7 +287,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         corners[at + 10u] = apex.gradient_change;
     }
     if BANDS {
-        corners[at + 9u] = f32(piece * 4u + open);
+        corners[at + 9u] = f32(span);
     }
     if SHADED {
         let weights = back_weights * scales.y - front_weights * scales.x;

@@ -17,7 +17,7 @@ struct BandCorner {
     @location(0) clip: vec2f,
     @location(1) plane: vec2f,
     @location(2) tent: vec3f,
-    // With the piece, and where the band is not clipped (project.wgsl).
+    // With the span (project.wgsl).
     @location(3) apex: vec3f,
 }
 
@@ -53,11 +53,11 @@ struct BandFragment {
     @builtin(position) position: vec4f,
     @location(0) plane_and_tent: vec4f,
     @location(1) tent_and_ray: vec3f,
-    // With the ends at which the band is clipped.
+    // With the span's bounds.
     @location(2) @interpolate(flat) apex: vec4f,
-    // Colour and extinction at the band's lower end, and their change to the upper.
-    @location(3) @interpolate(flat) low: vec4f,
-    @location(4) @interpolate(flat) rise: vec4f,
+    @location(3) @interpolate(flat) middle: vec4f,
+    @location(4) @interpolate(flat) lower: vec4f,
+    @location(9) @interpolate(flat) upper: vec4f,
 }
 
 struct BivariateFragment {
@@ -95,8 +95,9 @@ struct ShadedBandFragment {
     @location(0) plane_and_tent: vec4f,
     @location(1) tent_and_ray: vec3f,
     @location(2) @interpolate(flat) apex: vec4f,
-    @location(3) @interpolate(flat) low: vec4f,
-    @location(4) @interpolate(flat) rise: vec4f,
+    @location(3) @interpolate(flat) middle: vec4f,
+    @location(4) @interpolate(flat) lower: vec4f,
+    @location(9) @interpolate(flat) upper: vec4f,
     @location(5) vector: vec3f,
     @location(6) @interpolate(flat) vector_change: vec4f,
     @location(7) @interpolate(flat) towards: vec4f,
@@ -132,7 +133,7 @@ fn fragment_of(corner: Corner) -> Fragment {
                     vec3f(corner.tent.z, ray(corner.clip)), corner.apex);
 }
 
-// How far a band reaches that is not clipped: no rounding goes so far.
+// How far a span reaches that is not clipped: no rounding goes so far.
 const UNCLIPPED: f32 = 1e6;
 
 @vertex
@@ -143,12 +144,20 @@ fn vertex_band(corner: BandCorner) -> BandFragment {
 fn band_fragment_of(corner: BandCorner) -> BandFragment {
     // Of the first corner; the others' are not used, and may be anything.
     let packed = u32(corner.apex.z);
-    let piece = min(packed >> 2u, PIECES - 1u);
-    let low = node_values[piece];
-    let bounds = vec2f(select(0.0, -UNCLIPPED, (packed & 1u) != 0u), select(1.0, UNCLIPPED, (packed & 2u) != 0u));
+    let piece = min(packed >> 3u, PIECES - 1u);
+    let is_single = (packed & 4u) != 0u;
+    let end = min(piece + select(2u, 1u, is_single), PIECES);
+    let middle = node_values[piece + 1u];
+    let lower_width = nodes[piece + 1u].x - nodes[piece].x;
+    let upper_width = nodes[end].x - nodes[piece + 1u].x;
+    let upper_end = upper_width / lower_width;
+    // A span without an upper band ends level.
+    let upper = (node_values[end] - middle) / select(upper_end, 1.0, is_single);
+    let bounds = vec2f(select(-1.0, -UNCLIPPED, (packed & 1u) != 0u),
+                       select(upper_end, UNCLIPPED, (packed & 2u) != 0u));
     return BandFragment(vec4f(corner.clip, 0.5, 1.0), vec4f(corner.plane, corner.tent.xy),
-                        vec3f(corner.tent.z, ray(corner.clip)), vec4f(corner.apex.xy, bounds), low,
-                        node_values[piece + 1u] - low);
+                        vec3f(corner.tent.z, ray(corner.clip)), vec4f(corner.apex.xy, bounds), middle,
+                        middle - node_values[piece], upper);
 }
 
 @vertex
@@ -179,7 +188,7 @@ fn vertex_shaded(corner: Corner, more: ShadedCorner) -> ShadedFragment {
 fn vertex_band_shaded(corner: BandCorner, more: ShadedCorner) -> ShadedBandFragment {
     let f = band_fragment_of(corner);
     let s = shading(more);
-    return ShadedBandFragment(f.position, f.plane_and_tent, f.tent_and_ray, f.apex, f.low, f.rise,
+    return ShadedBandFragment(f.position, f.plane_and_tent, f.tent_and_ray, f.apex, f.middle, f.lower, f.upper,
                               s.vector, s.vector_change, s.towards, s.material);
 }
 
@@ -236,7 +245,8 @@ fn shade_band(in: BandFragment, density: f32) -> vec4f {
     let tent = greater(lesser(lesser(plane.z, plane.w), in.tent_and_ray.x), 0.0);
     let depths = side_lengths(in.tent_and_ray.yz, plane.x, tent * in.apex.x);
     let ends = front_back(plane.y, tent * in.apex.y, in.apex.x, depths.xy);
-    return band_segment(ends, in.apex.zw, depths.z * density, in.low, in.rise);
+    let per_unit = length_per_change(in.tent_and_ray.yz, plane.xy, in.apex.xy);
+    return span_segment(ends, depths.z * density, per_unit * density, Span(in.apex.zw, in.middle, in.lower, in.upper));
 }
 
 @fragment
@@ -322,6 +332,15 @@ fn side_lengths(ray: vec2f, inverse: f32, thickness: f32) -> vec3f {
     let other = inverse + thickness;
     let both = 1.0 / greater(inverse * other, 1e-37);
     return vec3f(other, inverse, abs(thickness) * sqrt(1.0 + dot(ray, ray))) * both;
+}
+
+// Length on which a value changes by 1 along the ray, from 1/z and value/z of the interpolated side, and thickness and
+// change at the apex: what the tent scales in both is left out, and no difference of nearly equal values is taken.
+fn length_per_change(ray: vec2f, plane: vec2f, apex: vec2f) -> f32 {
+    if !PERSPECTIVE {
+        return abs(apex.x) / greater(abs(apex.y), 1e-30);
+    }
+    return abs(apex.x) * sqrt(1.0 + dot(ray, ray)) / greater(abs(apex.y * plane.x - plane.y * apex.x), 1e-30);
 }
 
 // From the gradient in the segment's middle: the mean of those at entry and exit. `thickness`: at the apex.

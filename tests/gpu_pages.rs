@@ -41,7 +41,9 @@ fn pipelines_tell_what_they_are_made_for() {
                 "adaptive:0.001, a loop",
             ],
         ),
-        ("[transfer.curve]\npoints = [[0, 1, 0, 0, 0], [9, 1, 0, 0, 1]]", ["a curve", "weighted", "band by band"]),
+        // Every value of the field lies between the nodes; or some lie below one.
+        ("[transfer.curve]\npoints = [[-99, 1, 0, 0, 1], [999, 1, 0, 0, 2]]", ["a curve", "weighted", "band by band"]),
+        ("[transfer.curve]\npoints = [[0, 1, 0, 0, 1], [9, 1, 0, 0, 2]]", ["a curve", "weighted", "pairs of bands"]),
     ] {
         let scene = Scene::parse(transfer, &[]).expect("a scene");
         let (camera, transfer) = scene.resolve(&mesh).expect("a camera");

@@ -116,7 +116,7 @@ fn draw(renderer: &mut GpuRenderer, camera: &Camera, transfer: &TransferFunction
 }
 
 fn in_bands(rendered: &Rendered) -> bool {
-    rendered.stats.cells.iter().any(|(stage, _)| stage == "bands of them")
+    rendered.stats.cells.iter().any(|(stage, _)| stage == "spans of them")
 }
 
 fn largest_difference(a: &Image, b: &Image) -> f64 {

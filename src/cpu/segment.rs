@@ -88,11 +88,11 @@ impl Medium for CurveMedium {
     }
 }
 
-/// A segment of linear colour and extinction (in w). What is deeper than 1/2 is taken in steps of 1/2.
+/// A segment of linear colour and extinction (in w). What has an end depth above 1 is taken in steps of depth 1/2.
 #[inline(always)]
 pub fn linear(front: Vec4, back: Vec4, length: f32) -> Seen {
     let (a, b) = (front.w * length, back.w * length);
-    if a + b <= 1.0 {
+    if a <= 1.0 && b <= 1.0 {
         let [opacity, share] = thin_weights(a, b);
         return weighted(front, back, opacity, share);
     }
@@ -112,7 +112,7 @@ fn deep(mut front: Vec4, back: Vec4, a: f32, b: f32) -> Seen {
     let (mut a, mut b) = (a.min(1e15), b.min(1e15));
     let mut seen = Vec4::ZERO;
     loop {
-        let deep = a + b > 1.0;
+        let deep = a > 1.0 || b > 1.0;
         let mut part = 1.0;
         if deep {
             // a x + (b - a) x^2 / 2 = 1/2, in the form without cancellation.
@@ -131,24 +131,25 @@ fn deep(mut front: Vec4, back: Vec4, a: f32, b: f32) -> Seen {
     }
 }
 
-/// Opacity, and the share of the front's colour in it, for end depths `a` and `b`, not negative, `a + b <= 1`. See
-/// `shaders/math/optics.wgsl`: 3-point Gauss-Legendre, the share's error below 1e-5.
+/// Opacity, and the share of the front's colour in it, for end depths `a` and `b` from 0 to 1. See
+/// `shaders/math/optics.wgsl`; the share's error is below 3.9e-6 (`tables/coefficients.json`, "front_share").
 #[inline(always)]
 pub fn thin_weights(a: f32, b: f32) -> [f32; 2] {
-    let half_slope = 0.5 * (b - a);
-    let t_lo = 0.112_701_67 * (a + 0.112_701_67 * half_slope);
-    let t_mid = 0.5 * (a + 0.5 * half_slope);
-    let t_hi = 0.887_298_35 * (a + 0.887_298_35 * half_slope);
     let t = 0.5 * (a + b);
-    let front = (t_lo * phi_one_half(t_lo) + t_hi * phi_one_half(t_hi)) * 0.277_777_8
-        + t_mid * phi_one_half(t_mid) * 0.444_444_45;
-    [t * phi_one_half(t), front]
+    let d = 0.5 * (b - a);
+    let level = t * (0.5 + t * (-0.166_354_7 + t * (0.040_128_42 - t * 0.005_898_007)));
+    let slope = -0.166_666_67 + t * (0.083_240_46 + t * (-0.024_320_815 + t * 0.004_133_037));
+    let bend = -0.017_194_284 + t * (0.010_519_15 - t * 0.004_035_674_5);
+    let rest = -0.001_174_861_1 + t * 0.000_459_874_14;
+    let front = level + d * (slope + d * (bend + d * (rest - d * 0.000_445_414_77)));
+    [t * phi_one_unit(t), front]
 }
 
-/// `(1 - exp(-t)) / t` for t in 0..1/2, relative error 1.1e-7 (`tables/coefficients.json`, "phi_one_half").
+/// `(1 - exp(-t)) / t` for t in 0..1, relative error 1.2e-7 (`tables/coefficients.json`, "phi_one_unit").
 #[inline(always)]
-fn phi_one_half(t: f32) -> f32 {
-    0.999_999_94 + t * (-0.499_992_4 + t * (0.166_547_34 + t * (-0.040_998_75 + t * 0.006_768_545_6)))
+fn phi_one_unit(t: f32) -> f32 {
+    0.999_999_94
+        + t * (-0.499_994_58 + t * (0.166_605_22 + t * (-0.041_406_598 + t * (0.007_823_707 - t * 0.000_907_157_6))))
 }
 
 /// A widget on normalised axes.

@@ -131,6 +131,7 @@ pub struct Piece {
 #[expect(missing_docs, reason = "the fields are documented in the shader")]
 pub struct BandTotals {
     pub bands: u32,
+    pub pairs: u32,
     pub most: u32,
     pub deepest: u32,
 }

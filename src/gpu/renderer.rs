@@ -10,10 +10,10 @@ use crate::gpu::layout;
 use crate::gpu::light::{self, Shading};
 use crate::gpu::mesh::TetRange;
 use crate::gpu::record::{Recorder, Work};
-use crate::gpu::scene::{self, SceneKernels, Variant};
+use crate::gpu::scene::{self, SceneKernels, Spans, Variant};
 use crate::gpu::slabs::{MOST_LAYERS, Slabs};
 use crate::gpu::sort;
-use crate::gpu::store::{BAND_BITS, Pieces, Store};
+use crate::gpu::store::{Pieces, SPAN_BITS, Store};
 use crate::gpu::target::Target;
 use crate::gpu::transfer::TransferBuffers;
 use crate::plan::near::{self, NearCut};
@@ -27,8 +27,14 @@ use crate::tet::TetMesh;
 const EMPTY: wgpu::LoadOp<wgpu::Color> = wgpu::LoadOp::Clear(wgpu::Color { r: 0.0, g: 0.0, b: 0.0, a: 1.0 });
 const ZERO: wgpu::LoadOp<wgpu::Color> = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
 
-/// Up to this optical depth a piece is integrated in one step (`math/optics.wgsl`, `thin_weights`).
-const THIN: f32 = 0.5;
+/// Up to this optical depth, at either end's extinction, a piece is integrated in one step (`math/optics.wgsl`,
+/// `thin_weights`).
+const THIN: f32 = 1.0;
+
+/// Pairs of bands are drawn instead of bands where there are so many times as many of these: fewer spans, each of which
+/// costs more a fragment. On lavapipe as many bands as pairs (a linear function) took 0.95 times as long a frame, 1.4 times
+/// as many (584,000 cells) 1.3 times.
+const PAIRS_PAY: f64 = 1.1;
 
 /// Cells of one draw on a software adapter: lavapipe bins a draw's triangles, at 300 bytes each, before it shades them,
 /// and these fit the caches. 16,384 took 1.25 times as long a frame (584,000 cells), 1,024 as long for its passes.
@@ -90,10 +96,10 @@ impl GpuRenderer {
         let cells = &self.store.cells;
         let survivors = u64::from(sort::survivors(&self.gpu, &cells.counts)?);
         let mut order: Vec<u32> = self.gpu.read(&cells.order, survivors * 4)?;
-        if self.scene.as_ref().is_some_and(|s| s.bands.is_some()) {
-            // A cell is where its first band is.
-            order.retain(|band| band % (1 << BAND_BITS) == 0);
-            order.iter_mut().for_each(|band| *band >>= BAND_BITS);
+        if self.scene.as_ref().is_some_and(|s| s.spans.is_some()) {
+            // A cell is where its first span is.
+            order.retain(|span| span % (1 << SPAN_BITS) == 0);
+            order.iter_mut().for_each(|span| *span >>= SPAN_BITS);
         }
         Ok(order)
     }
@@ -143,16 +149,18 @@ impl GpuRenderer {
         extra.push(("CULL", f64::from(u8::from(cull))));
         let candidates = scene::candidates(&self.gpu, &transfer, &extra)?;
         self.mark_candidates(&candidates, &transfer, None)?;
-        let mut bands = None;
-        // Bands are drawn by the exact integral.
+        let mut spans = None;
+        // Spans are drawn by the exact integral.
         let exact = matches!(self.settings.integral, SegmentIntegral::Analytic | SegmentIntegral::Adaptive { .. });
         if curve && in_bands && exact && variant.shading.allows_bands() {
             let totals = self.band_totals()?;
-            bands = self.store.holds_bands(totals.bands.into(), totals.most).then_some(totals.bands);
+            let paired = f64::from(totals.bands) > PAIRS_PAY * f64::from(totals.pairs);
+            let in_spans = Spans::of(totals, paired);
+            spans = self.store.holds_spans(in_spans.count.into(), in_spans.most).then_some(in_spans);
             let deep = f32::from_bits(totals.deepest) > THIN;
             extra.push(("DEEP", f64::from(u8::from(deep))));
         }
-        self.scene = Some(SceneKernels::new(&self.gpu, transfer, variant, self.f16, candidates, bands, &extra)?);
+        self.scene = Some(SceneKernels::new(&self.gpu, transfer, variant, self.f16, candidates, spans, &extra)?);
         Ok(())
     }
 
@@ -190,10 +198,10 @@ impl GpuRenderer {
         let mut pieces = self.store.put_pieces(&self.gpu, &self.mesh, cut);
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         self.mark_candidates(&scene.candidates, &scene.transfer, Some(pieces))?;
-        if let Some(bands) = scene.bands {
-            let added = self.band_totals()?;
-            pieces.bands = added.bands;
-            if !self.store.holds_bands(u64::from(bands) + u64::from(added.bands), added.most) {
+        if let Some(spans) = scene.spans {
+            let added = Spans::of(self.band_totals()?, spans.paired);
+            pieces.spans = added.count;
+            if !self.store.holds_spans(u64::from(spans.count) + u64::from(added.count), added.most) {
                 let scene = self.scene.take().ok_or_else(unprepared)?;
                 self.make_scene(&scene.transfer.source, scene.transfer.emission, scene.variant, false)?;
                 let scene = self.scene.as_ref().ok_or_else(unprepared)?;
@@ -250,7 +258,7 @@ impl GpuRenderer {
             recorder.finish()?
         };
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
-        let pipelines = scene.transfer.describe(self.settings.integral, scene.bands.is_some());
+        let pipelines = scene.transfer.describe(self.settings.integral, scene.spans.map(|s| s.paired));
         let stats = Stats { passes, notes, pipelines, adapter: self.gpu.describe(), ..Default::default() };
         Ok(Drawn { stats, pieces })
     }
@@ -422,8 +430,8 @@ impl GpuRenderer {
             tet_count,
             vertex_count: m.vertex_count + pieces.map_or(0, |p| p.vertices),
             chunk_cells: self.store.chunk_cells,
-            most_drawn: match self.scene.as_ref().and_then(|s| s.bands) {
-                Some(bands) => bands + pieces.map_or(0, |p| p.bands),
+            most_drawn: match self.scene.as_ref().and_then(|s| s.spans) {
+                Some(spans) => spans.count + pieces.map_or(0, |p| p.spans),
                 None => tet_count,
             },
             ..frame::camera_uniform(frame, &self.mesh)
@@ -437,12 +445,12 @@ impl GpuRenderer {
         let bits: Vec<u32> = gpu.read(&store.cells.candidates, tets.div_ceil(256) * 32)?;
         let candidates = bits.iter().map(|word| u64::from(word.count_ones())).sum();
         let drawn = u64::from(sort::survivors(gpu, &store.cells.counts)?);
-        let in_bands = self.scene.as_ref().is_some_and(|s| s.bands.is_some());
+        let in_spans = self.scene.as_ref().is_some_and(|s| s.spans.is_some());
         let mut counts = vec![("in the mesh".to_owned(), tets), ("that the function can show".to_owned(), candidates)];
         if let Some(p) = pieces {
             counts.push(("pieces at the near plane".to_owned(), u64::from(p.range.count)));
         }
-        if in_bands {
+        if in_spans {
             let bits: Vec<u32> = gpu.read(&store.cells.survivors, store.cells.survivors.size())?;
             let words = |range: TetRange| {
                 let first = range.first as usize / 32;
@@ -451,7 +459,7 @@ impl GpuRenderer {
             let ranges = store.ranges.iter().copied().chain(pieces.map(|p| p.range));
             let drawn_cells = ranges.flat_map(|r| &bits[words(r)]).map(|word| u64::from(word.count_ones())).sum();
             counts.push(("drawn".to_owned(), drawn_cells));
-            counts.push(("bands of them".to_owned(), drawn));
+            counts.push(("spans of them".to_owned(), drawn));
         } else {
             counts.push(("drawn".to_owned(), drawn));
         }

@@ -2,6 +2,7 @@
 
 use crate::error::Result;
 use crate::gpu::device::{DrawKernel, Gpu, Kernel};
+use crate::gpu::layout::BandTotals;
 use crate::gpu::light::Shading;
 use crate::gpu::transfer::TransferBuffers;
 
@@ -22,8 +23,8 @@ pub struct SceneKernels {
     pub variant: Variant,
     /// Marks cells that the function can make visible, and finds their bands.
     pub candidates: Kernel,
-    /// Bands to draw at most, where cells are drawn band by band.
-    pub bands: Option<u32>,
+    /// What to draw at most, where cells are drawn span by span.
+    pub spans: Option<Spans>,
     /// Projects vertices.
     pub vertices: Kernel,
     /// Drops cells outside the picture.
@@ -73,6 +74,25 @@ const ADD: wgpu::BlendComponent = wgpu::BlendComponent {
     operation: wgpu::BlendOperation::Add,
 };
 
+/// The spans of the cells that a function can make visible (`shared/bands.wgsl`).
+#[derive(Clone, Copy, Debug)]
+pub struct Spans {
+    /// How many.
+    pub count: u32,
+    /// At most, of one cell.
+    pub most: u32,
+    /// They are pairs of bands.
+    pub paired: bool,
+}
+
+impl Spans {
+    /// Bands, or pairs of them.
+    pub fn of(totals: BandTotals, paired: bool) -> Self {
+        let (count, most) = if paired { (totals.pairs, totals.most.div_ceil(2)) } else { (totals.bands, totals.most) };
+        Self { count, most, paired }
+    }
+}
+
 /// The kernel that marks the cells that a function can make visible, and finds their bands.
 ///
 /// # Errors
@@ -82,7 +102,8 @@ pub fn candidates(gpu: &Gpu, transfer: &TransferBuffers, extra: &[(&'static str,
 }
 
 impl SceneKernels {
-    /// Compiles. `f16`: blend into rgba16float and count layers; `candidates`: see [`candidates`]; `bands`: so many are drawn, instead of cells; `extra`: constants of the renderer.
+    /// Compiles. `f16`: blend into rgba16float and count layers; `candidates`: see [`candidates`]; `spans`: what is drawn instead of cells;
+    /// `extra`: constants of the renderer.
     ///
     /// # Errors
     /// A shader that does not compile.
@@ -92,7 +113,7 @@ impl SceneKernels {
         variant: Variant,
         f16: bool,
         candidates: Kernel,
-        bands: Option<u32>,
+        spans: Option<Spans>,
         extra: &[(&'static str, f64)],
     ) -> Result<Self> {
         let flag = |b: bool| f64::from(u8::from(b));
@@ -100,7 +121,8 @@ impl SceneKernels {
         constants.extend_from_slice(extra);
         constants.push(("PERSPECTIVE", flag(variant.perspective)));
         constants.extend_from_slice(&variant.shading.constants());
-        constants.push(("BANDS", flag(bands.is_some())));
+        constants.push(("BANDS", flag(spans.is_some())));
+        constants.push(("PAIRED", flag(spans.is_some_and(|s| s.paired))));
         let slab_constants = [&constants[..], &[("SLAB", 1.0)]].concat();
         let target = |format, blend| Some(wgpu::ColorTargetState { format, blend, write_mask: wgpu::ColorWrites::ALL });
         let f32_target = |blend| target(wgpu::TextureFormat::Rgba32Float, blend);
@@ -113,16 +135,16 @@ impl SceneKernels {
         } else {
             vec![f32_target(Some(BACK_TO_FRONT))]
         };
-        let attributes = corner_attributes(transfer.bivariate, bands.is_some(), variant.shading.is_on());
+        let attributes = corner_attributes(transfer.bivariate, spans.is_some(), variant.shading.is_on());
         let array_stride = attributes.iter().map(|a| a.format.size()).sum();
         let corners =
             wgpu::VertexBufferLayout { array_stride, step_mode: wgpu::VertexStepMode::Vertex, attributes: &attributes };
-        let [vertex, fragment] = raster_entries(transfer.bivariate, bands.is_some(), variant.shading.is_on(), f16);
+        let [vertex, fragment] = raster_entries(transfer.bivariate, spans.is_some(), variant.shading.is_on(), f16);
         let entries = [vertex.as_str(), fragment.as_str()];
         let full = ["vertex", "fragment"];
         Ok(Self {
             variant,
-            bands,
+            spans,
             candidates,
             vertices: gpu.kernel("vertices", &constants)?,
             cull: gpu.kernel("cull", &constants)?,

@@ -12,8 +12,8 @@ use crate::tet::TetMesh;
 /// Parts in which the tetrahedra can be bound (`shared/tets.wgsl`).
 const PARTS: [&str; 4] = ["tets_a", "tets_b", "tets_c", "tets_d"];
 
-/// Bits of a band's rank within its cell (`shared/bands.wgsl`).
-pub const BAND_BITS: u32 = 6;
+/// Bits of a span's rank within its cell (`shared/bands.wgsl`).
+pub const SPAN_BITS: u32 = 6;
 
 /// Buffers of a mesh and of its cells, with room for the pieces of cells that the near plane cuts.
 pub struct Store {
@@ -27,7 +27,7 @@ pub struct Store {
     pub ranges: Vec<TetRange>,
     /// Cells projected at a time.
     pub chunk_cells: u32,
-    /// At most so many cells, or bands of them, are drawn.
+    /// At most so many cells, or spans of them, are drawn.
     pub most_drawn: u32,
     /// A `Chunk` each.
     pub chunks: Vec<wgpu::Buffer>,
@@ -49,8 +49,8 @@ pub struct Pieces {
     pub range: TetRange,
     /// Behind the mesh's vertices.
     pub vertices: u32,
-    /// Their bands, where cells are drawn band by band.
-    pub bands: u32,
+    /// Their spans, where cells are drawn span by span.
+    pub spans: u32,
 }
 
 impl Store {
@@ -63,7 +63,7 @@ impl Store {
         let capacity = if spare_tets == 0 { u64::from(tets) } else { u64::from(pieces_start(tets)) + spare_tets };
         check_size(gpu, mesh.vertices.len() as u64 + spare_vertices, capacity)?;
         let chunk_cells = chunk_cells(tets);
-        // Room for the bands of functions that cut few cells.
+        // Room for the spans of functions that cut few cells.
         let most_drawn = (capacity * 3 / 2).min(gpu.max_binding / 4).max(1);
         let buffers = MeshBuffers::new(gpu, mesh, spare_vertices, capacity);
         let cells =
@@ -128,9 +128,9 @@ impl Store {
         }
     }
 
-    /// True where this many bands, at most `most` of them in one cell, can be drawn.
-    pub fn holds_bands(&self, bands: u64, most: u32) -> bool {
-        bands <= u64::from(self.most_drawn) && most <= 1 << BAND_BITS && self.capacity <= 1 << (32 - BAND_BITS)
+    /// True where this many spans, at most `most` of them in one cell, can be drawn.
+    pub fn holds_spans(&self, spans: u64, most: u32) -> bool {
+        spans <= u64::from(self.most_drawn) && most <= 1 << SPAN_BITS && self.capacity <= 1 << (32 - SPAN_BITS)
     }
 
     /// Puts the near plane's pieces behind the mesh. They must fit.
@@ -140,7 +140,7 @@ impl Store {
         self.mesh.put_pieces(gpu, mesh, cut, start);
         gpu.write(&self.cells.clipped, 0, bytemuck::cast_slice(&cut.clipped));
         gpu.write(&self.pieces_uniform, 0, bytemuck::bytes_of(&range.uniform()));
-        Pieces { range, vertices: cut.vertices.len() as u32, bands: 0 }
+        Pieces { range, vertices: cut.vertices.len() as u32, spans: 0 }
     }
 
     /// Whole buffers, by the names that shaders give them.

@@ -115,9 +115,9 @@ impl TransferBuffers {
         Ok(buffers)
     }
 
-    /// What the shaders were specialised for: kinds of widgets, emission, integral, and how cells are drawn. `bands`:
-    /// cells are drawn band by band.
-    pub fn describe(&self, integral: SegmentIntegral, bands: bool) -> String {
+    /// What the shaders were specialised for: kinds of widgets, emission, integral, and how cells are drawn. `paired`:
+    /// they are drawn span by span, by bands or pairs of bands.
+    pub fn describe(&self, integral: SegmentIntegral, paired: Option<bool>) -> String {
         let on = |name: &str| self.constants.iter().any(|(n, value)| *n == name && *value > 0.0);
         let function = match &self.source {
             TransferFunction::Curve(_) => "a curve".to_owned(),
@@ -141,7 +141,11 @@ impl TransferBuffers {
             }
         };
         let emission = if self.emission == EmissionModel::Unweighted { "unweighted" } else { "weighted" };
-        let way = if bands { "drawn band by band" } else { "a loop over each cell's widgets or pieces" };
+        let way = match paired {
+            Some(false) => "drawn band by band",
+            Some(true) => "drawn by pairs of bands",
+            None => "a loop over each cell's widgets or pieces",
+        };
         format!("shaders are specialised for {function}, {emission} emission, {integral}, {way}")
     }
 

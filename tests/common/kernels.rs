@@ -138,9 +138,9 @@ fn basic() -> Vec<Kernel> {
         },
         Kernel { name: "phi_one", call: "phi_one(x[0])", inputs: depths(1e6), truth: |x| [phi_one(x[0]), 0.0] },
         Kernel {
-            name: "phi_one_half",
-            call: "phi_one_half(x[0])",
-            inputs: depths(0.5),
+            name: "phi_one_unit",
+            call: "phi_one_unit(x[0])",
+            inputs: depths(1.0),
             truth: |x| [phi_one(x[0]), 0.0],
         },
         Kernel { name: "erfcx", call: "erfcx(x[0])", inputs: depths(1e6), truth: |x| [erfcx(x[0]), 0.0] },
@@ -177,13 +177,14 @@ fn depths(most: f32) -> Vec<[f32; ARGUMENTS]> {
     values.into_iter().map(|t| [t, 0.0, 0.0, 0.0, 0.0, 0.0]).collect()
 }
 
-/// Extinctions at both ends with a mean of 1/2 at most.
+/// Depths at both ends of 1 at most.
 fn thin_pieces() -> Vec<[f32; ARGUMENTS]> {
     let mut rng = StdRng::seed_from_u64(2);
-    let mut pieces = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.5, 0.5], [1e-30, 0.0], [0.0, 1e-20], [1e-7, 1e-7]];
+    let mut pieces =
+        vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [0.5, 0.5], [1e-30, 0.0], [0.0, 1e-20], [1e-7, 1e-7]];
     for turn in 0..12_000 {
         let mean =
-            if turn % 2 == 0 { rng.random_range(0.0..0.5f32) } else { 0.5 * 10.0f32.powf(rng.random_range(-9.0..0.0)) };
+            if turn % 2 == 0 { rng.random_range(0.0..1.0f32) } else { 10.0f32.powf(rng.random_range(-9.0..0.0)) };
         let share = match turn % 5 {
             0 => 0.0,
             1 => 1.0,
@@ -191,7 +192,7 @@ fn thin_pieces() -> Vec<[f32; ARGUMENTS]> {
         };
         pieces.push([2.0 * mean * share, 2.0 * mean * (1.0 - share)]);
     }
-    pieces.retain(|[a, b]| a + b <= 1.0);
+    pieces.retain(|[a, b]| a.max(*b) <= 1.0);
     pieces.into_iter().map(|[a, b]| [a, b, 0.0, 0.0, 0.0, 0.0]).collect()
 }
 
@@ -299,7 +300,7 @@ pub fn erfcx(x: f64) -> f64 {
     (1.0 - r * (1.0 - 3.0 * r * (1.0 - 5.0 * r * (1.0 - 7.0 * r)))) / (x * std::f64::consts::PI.sqrt())
 }
 
-fn thin_weights(a: f64, b: f64) -> [f64; 2] {
+pub fn thin_weights(a: f64, b: f64) -> [f64; 2] {
     let depth = |x: f64| a * x + 0.5 * (b - a) * x * x;
     let front = integral(0.0, 1.0, 2, |x| (1.0 - x) * (a + (b - a) * x) * (-depth(x)).exp());
     [-(-depth(1.0)).exp_m1(), front]

@@ -36,12 +36,12 @@ fn v_erfcx(x: ::naga_rust_rt::Scalar<f32>) -> ::naga_rust_rt::Scalar<f32> {
     let p_1 = (::naga_rust_rt::Scalar(1.2769784f32) + (u_1 * (::naga_rust_rt::Scalar(-0.09276308f32) + (u_1 * (::naga_rust_rt::Scalar(-0.16603152f32) + (u_1 * (::naga_rust_rt::Scalar(0.16403583f32) + (u_1 * (::naga_rust_rt::Scalar(-0.054208256f32) + (u_1 * (::naga_rust_rt::Scalar(-0.007942667f32) + (u_1 * (::naga_rust_rt::Scalar(0.008678226f32) + (u_1 * (::naga_rust_rt::Scalar(0.0010430774f32) + (u_1 * (::naga_rust_rt::Scalar(-0.001382726f32) + (u_1 * (::naga_rust_rt::Scalar(-0.00018362673f32) + (u_1 * ::naga_rust_rt::Scalar(0.00015546013f32)))))))))))))))))))));
     return (p_1 / (::naga_rust_rt::Scalar(1f32) + (::naga_rust_rt::Scalar(2f32) * x)));
 }
-pub fn phi_one_half(t_3: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>) -> f32 {
-    ::naga_rust_rt::into(v_phi_one_half(::naga_rust_rt::into(t_3)))
+pub fn phi_one_unit(t_3: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>) -> f32 {
+    ::naga_rust_rt::into(v_phi_one_unit(::naga_rust_rt::into(t_3)))
 }
 #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-fn v_phi_one_half(t_3: ::naga_rust_rt::Scalar<f32>) -> ::naga_rust_rt::Scalar<f32> {
-    return (::naga_rust_rt::Scalar(0.99999994f32) + (t_3 * (::naga_rust_rt::Scalar(-0.4999924f32) + (t_3 * (::naga_rust_rt::Scalar(0.16654734f32) + (t_3 * (::naga_rust_rt::Scalar(-0.04099875f32) + (t_3 * ::naga_rust_rt::Scalar(0.0067685456f32)))))))));
+fn v_phi_one_unit(t_3: ::naga_rust_rt::Scalar<f32>) -> ::naga_rust_rt::Scalar<f32> {
+    return (::naga_rust_rt::Scalar(0.99999994f32) + (t_3 * (::naga_rust_rt::Scalar(-0.49999458f32) + (t_3 * (::naga_rust_rt::Scalar(0.16660522f32) + (t_3 * (::naga_rust_rt::Scalar(-0.041406598f32) + (t_3 * (::naga_rust_rt::Scalar(0.007823707f32) - (t_3 * ::naga_rust_rt::Scalar(0.0009071576f32)))))))))));
 }
 pub fn thin_weights(
     a: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>,
@@ -54,17 +54,15 @@ fn v_thin_weights(
     a: ::naga_rust_rt::Scalar<f32>,
     b: ::naga_rust_rt::Scalar<f32>,
 ) -> ::naga_rust_rt::Vec2<f32> {
-    let half_slope = (::naga_rust_rt::Scalar(0.5f32) * (b - a));
-    let t_lo = (::naga_rust_rt::Scalar(0.11270166f32) * (a + (::naga_rust_rt::Scalar(0.11270166f32) * half_slope)));
-    let t_mid = (::naga_rust_rt::Scalar(0.5f32) * (a + (::naga_rust_rt::Scalar(0.5f32) * half_slope)));
-    let t_hi = (::naga_rust_rt::Scalar(0.88729835f32) * (a + (::naga_rust_rt::Scalar(0.88729835f32) * half_slope)));
     let t_8 = (::naga_rust_rt::Scalar(0.5f32) * (a + b));
-    let _e23 = v_phi_one_half(t_lo);
-    let _e25 = v_phi_one_half(t_hi);
-    let _e30 = v_phi_one_half(t_mid);
-    let front_1 = ((((t_lo * _e23) + (t_hi * _e25)) * ::naga_rust_rt::Scalar(0.2777778f32)) + ((t_mid * _e30) * ::naga_rust_rt::Scalar(0.44444445f32)));
-    let _e35 = v_phi_one_half(t_8);
-    return <::naga_rust_rt::Vec2<f32>>::from_scalars((t_8 * _e35), front_1);
+    let d = (::naga_rust_rt::Scalar(0.5f32) * (b - a));
+    let level = (t_8 * (::naga_rust_rt::Scalar(0.5f32) + (t_8 * (::naga_rust_rt::Scalar(-0.1663547f32) + (t_8 * (::naga_rust_rt::Scalar(0.04012842f32) - (t_8 * ::naga_rust_rt::Scalar(0.005898007f32))))))));
+    let slope = (::naga_rust_rt::Scalar(-0.16666667f32) + (t_8 * (::naga_rust_rt::Scalar(0.08324046f32) + (t_8 * (::naga_rust_rt::Scalar(-0.024320815f32) + (t_8 * ::naga_rust_rt::Scalar(0.004133037f32)))))));
+    let bend = (::naga_rust_rt::Scalar(-0.017194284f32) + (t_8 * (::naga_rust_rt::Scalar(0.01051915f32) - (t_8 * ::naga_rust_rt::Scalar(0.0040356745f32)))));
+    let rest_2 = (::naga_rust_rt::Scalar(-0.0011748611f32) + (t_8 * ::naga_rust_rt::Scalar(0.00045987414f32)));
+    let front_1 = (level + (d * (slope + (d * (bend + (d * (rest_2 - (d * ::naga_rust_rt::Scalar(0.00044541477f32)))))))));
+    let _e49 = v_phi_one_unit(t_8);
+    return <::naga_rust_rt::Vec2<f32>>::from_scalars((t_8 * _e49), front_1);
 }
 pub fn dawson_near(x_1: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f32>>) -> f32 {
     ::naga_rust_rt::into(v_dawson_near(::naga_rust_rt::into(x_1)))
@@ -108,12 +106,12 @@ fn v_psi_thin(
     a_1: ::naga_rust_rt::Scalar<f32>,
     b_1: ::naga_rust_rt::Scalar<f32>,
 ) -> ::naga_rust_rt::Scalar<f32> {
-    let slope = (::naga_rust_rt::Scalar(0.5f32) * (b_1 - a_1));
-    let _e10 = v_attenuation((::naga_rust_rt::Scalar(0.046910077f32) * (a_1 + (::naga_rust_rt::Scalar(0.046910077f32) * slope))));
-    let _e16 = v_attenuation((::naga_rust_rt::Scalar(0.95308995f32) * (a_1 + (::naga_rust_rt::Scalar(0.95308995f32) * slope))));
-    let _e25 = v_attenuation((::naga_rust_rt::Scalar(0.23076534f32) * (a_1 + (::naga_rust_rt::Scalar(0.23076534f32) * slope))));
-    let _e31 = v_attenuation((::naga_rust_rt::Scalar(0.76923466f32) * (a_1 + (::naga_rust_rt::Scalar(0.76923466f32) * slope))));
-    let _e41 = v_attenuation((::naga_rust_rt::Scalar(0.5f32) * (a_1 + (::naga_rust_rt::Scalar(0.5f32) * slope))));
+    let slope_1 = (::naga_rust_rt::Scalar(0.5f32) * (b_1 - a_1));
+    let _e10 = v_attenuation((::naga_rust_rt::Scalar(0.046910077f32) * (a_1 + (::naga_rust_rt::Scalar(0.046910077f32) * slope_1))));
+    let _e16 = v_attenuation((::naga_rust_rt::Scalar(0.95308995f32) * (a_1 + (::naga_rust_rt::Scalar(0.95308995f32) * slope_1))));
+    let _e25 = v_attenuation((::naga_rust_rt::Scalar(0.23076534f32) * (a_1 + (::naga_rust_rt::Scalar(0.23076534f32) * slope_1))));
+    let _e31 = v_attenuation((::naga_rust_rt::Scalar(0.76923466f32) * (a_1 + (::naga_rust_rt::Scalar(0.76923466f32) * slope_1))));
+    let _e41 = v_attenuation((::naga_rust_rt::Scalar(0.5f32) * (a_1 + (::naga_rust_rt::Scalar(0.5f32) * slope_1))));
     return (((::naga_rust_rt::Scalar(0.11846344f32) * (_e10 + _e16)) + (::naga_rust_rt::Scalar(0.23931433f32) * (_e25 + _e31))) + (::naga_rust_rt::Scalar(0.28444445f32) * _e41));
 }
 pub fn psi(
@@ -925,11 +923,11 @@ fn v_gaussian_mean_short(
     let a_7 = (v + (extent_4 * ::naga_rust_rt::Scalar(0.046910077f32)));
     let b_7 = (v + (extent_4 * ::naga_rust_rt::Scalar(0.23076534f32)));
     let c = (v + (extent_4 * ::naga_rust_rt::Scalar(0.5f32)));
-    let d = (v + (extent_4 * ::naga_rust_rt::Scalar(0.76923466f32)));
+    let d_1 = (v + (extent_4 * ::naga_rust_rt::Scalar(0.76923466f32)));
     let e_1 = (v + (extent_4 * ::naga_rust_rt::Scalar(0.95308995f32)));
     let _e22 = v_attenuation(((a_7 * a_7) + q));
     let _e25 = v_attenuation(((b_7 * b_7) + q));
-    let _e28 = v_attenuation(((d * d) + q));
+    let _e28 = v_attenuation(((d_1 * d_1) + q));
     let _e31 = v_attenuation(((e_1 * e_1) + q));
     let outer = (::naga_rust_rt::Scalar(0.11846344f32) * (_e22 + _e31));
     let inner_1 = (::naga_rust_rt::Scalar(0.23931433f32) * (_e25 + _e28));
@@ -1088,12 +1086,12 @@ fn v_erfcx(x: ::naga_rust_rt::Scalar<f64>) -> ::naga_rust_rt::Scalar<f64> {
     let p_1 = (::naga_rust_rt::Scalar(1.2769783735275269f64) + (u_1 * (::naga_rust_rt::Scalar(-0.09276308119297028f64) + (u_1 * (::naga_rust_rt::Scalar(-0.16603152453899384f64) + (u_1 * (::naga_rust_rt::Scalar(0.164035826921463f64) + (u_1 * (::naga_rust_rt::Scalar(-0.05420825630426407f64) + (u_1 * (::naga_rust_rt::Scalar(-0.007942667230963707f64) + (u_1 * (::naga_rust_rt::Scalar(0.008678225800395012f64) + (u_1 * (::naga_rust_rt::Scalar(0.0010430774418637156f64) + (u_1 * (::naga_rust_rt::Scalar(-0.0013827260117977858f64) + (u_1 * (::naga_rust_rt::Scalar(-0.00018362673290539533f64) + (u_1 * ::naga_rust_rt::Scalar(0.00015546013310085982f64)))))))))))))))))))));
     return (p_1 / (::naga_rust_rt::Scalar(1f64) + (::naga_rust_rt::Scalar(2f64) * x)));
 }
-pub fn phi_one_half(t_3: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>) -> f64 {
-    ::naga_rust_rt::into(v_phi_one_half(::naga_rust_rt::into(t_3)))
+pub fn phi_one_unit(t_3: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>) -> f64 {
+    ::naga_rust_rt::into(v_phi_one_unit(::naga_rust_rt::into(t_3)))
 }
 #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-fn v_phi_one_half(t_3: ::naga_rust_rt::Scalar<f64>) -> ::naga_rust_rt::Scalar<f64> {
-    return (::naga_rust_rt::Scalar(0.9999999403953552f64) + (t_3 * (::naga_rust_rt::Scalar(-0.49999240040779114f64) + (t_3 * (::naga_rust_rt::Scalar(0.16654734313488007f64) + (t_3 * (::naga_rust_rt::Scalar(-0.04099874943494797f64) + (t_3 * ::naga_rust_rt::Scalar(0.006768545601516962f64)))))))));
+fn v_phi_one_unit(t_3: ::naga_rust_rt::Scalar<f64>) -> ::naga_rust_rt::Scalar<f64> {
+    return (::naga_rust_rt::Scalar(0.9999999403953552f64) + (t_3 * (::naga_rust_rt::Scalar(-0.49999457597732544f64) + (t_3 * (::naga_rust_rt::Scalar(0.16660521924495697f64) + (t_3 * (::naga_rust_rt::Scalar(-0.041406597942113876f64) + (t_3 * (::naga_rust_rt::Scalar(0.007823706604540348f64) - (t_3 * ::naga_rust_rt::Scalar(0.0009071576059795916f64)))))))))));
 }
 pub fn thin_weights(
     a: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>,
@@ -1106,17 +1104,15 @@ fn v_thin_weights(
     a: ::naga_rust_rt::Scalar<f64>,
     b: ::naga_rust_rt::Scalar<f64>,
 ) -> ::naga_rust_rt::Vec2<f64> {
-    let half_slope = (::naga_rust_rt::Scalar(0.5f64) * (b - a));
-    let t_lo = (::naga_rust_rt::Scalar(0.1127016653792583f64) * (a + (::naga_rust_rt::Scalar(0.1127016653792583f64) * half_slope)));
-    let t_mid = (::naga_rust_rt::Scalar(0.5f64) * (a + (::naga_rust_rt::Scalar(0.5f64) * half_slope)));
-    let t_hi = (::naga_rust_rt::Scalar(0.8872983346207417f64) * (a + (::naga_rust_rt::Scalar(0.8872983346207417f64) * half_slope)));
     let t_8 = (::naga_rust_rt::Scalar(0.5f64) * (a + b));
-    let _e23 = v_phi_one_half(t_lo);
-    let _e25 = v_phi_one_half(t_hi);
-    let _e30 = v_phi_one_half(t_mid);
-    let front_1 = ((((t_lo * _e23) + (t_hi * _e25)) * ::naga_rust_rt::Scalar(0.2777777777777778f64)) + ((t_mid * _e30) * ::naga_rust_rt::Scalar(0.4444444444444444f64)));
-    let _e35 = v_phi_one_half(t_8);
-    return <::naga_rust_rt::Vec2<f64>>::from_scalars((t_8 * _e35), front_1);
+    let d = (::naga_rust_rt::Scalar(0.5f64) * (b - a));
+    let level = (t_8 * (::naga_rust_rt::Scalar(0.5f64) + (t_8 * (::naga_rust_rt::Scalar(-0.166354700922966f64) + (t_8 * (::naga_rust_rt::Scalar(0.040128421038389206f64) - (t_8 * ::naga_rust_rt::Scalar(0.005898007191717625f64))))))));
+    let slope = (::naga_rust_rt::Scalar(-0.16666666666666666f64) + (t_8 * (::naga_rust_rt::Scalar(0.08324045687913895f64) + (t_8 * (::naga_rust_rt::Scalar(-0.0243208147585392f64) + (t_8 * ::naga_rust_rt::Scalar(0.0041330368258059025f64)))))));
+    let bend = (::naga_rust_rt::Scalar(-0.01719428412616253f64) + (t_8 * (::naga_rust_rt::Scalar(0.010519149713218212f64) - (t_8 * ::naga_rust_rt::Scalar(0.004035674501210451f64)))));
+    let rest_2 = (::naga_rust_rt::Scalar(-0.0011748610995709896f64) + (t_8 * ::naga_rust_rt::Scalar(0.00045987413614057004f64)));
+    let front_1 = (level + (d * (slope + (d * (bend + (d * (rest_2 - (d * ::naga_rust_rt::Scalar(0.0004454147710930556f64)))))))));
+    let _e49 = v_phi_one_unit(t_8);
+    return <::naga_rust_rt::Vec2<f64>>::from_scalars((t_8 * _e49), front_1);
 }
 pub fn dawson_near(x_1: impl ::naga_rust_rt::Into<::naga_rust_rt::Scalar<f64>>) -> f64 {
     ::naga_rust_rt::into(v_dawson_near(::naga_rust_rt::into(x_1)))
@@ -1160,12 +1156,12 @@ fn v_psi_thin(
     a_1: ::naga_rust_rt::Scalar<f64>,
     b_1: ::naga_rust_rt::Scalar<f64>,
 ) -> ::naga_rust_rt::Scalar<f64> {
-    let slope = (::naga_rust_rt::Scalar(0.5f64) * (b_1 - a_1));
-    let _e10 = v_attenuation((::naga_rust_rt::Scalar(0.046910077030668f64) * (a_1 + (::naga_rust_rt::Scalar(0.046910077030668f64) * slope))));
-    let _e16 = v_attenuation((::naga_rust_rt::Scalar(0.953089922969332f64) * (a_1 + (::naga_rust_rt::Scalar(0.953089922969332f64) * slope))));
-    let _e25 = v_attenuation((::naga_rust_rt::Scalar(0.2307653449471585f64) * (a_1 + (::naga_rust_rt::Scalar(0.2307653449471585f64) * slope))));
-    let _e31 = v_attenuation((::naga_rust_rt::Scalar(0.7692346550528415f64) * (a_1 + (::naga_rust_rt::Scalar(0.7692346550528415f64) * slope))));
-    let _e41 = v_attenuation((::naga_rust_rt::Scalar(0.5f64) * (a_1 + (::naga_rust_rt::Scalar(0.5f64) * slope))));
+    let slope_1 = (::naga_rust_rt::Scalar(0.5f64) * (b_1 - a_1));
+    let _e10 = v_attenuation((::naga_rust_rt::Scalar(0.046910077030668f64) * (a_1 + (::naga_rust_rt::Scalar(0.046910077030668f64) * slope_1))));
+    let _e16 = v_attenuation((::naga_rust_rt::Scalar(0.953089922969332f64) * (a_1 + (::naga_rust_rt::Scalar(0.953089922969332f64) * slope_1))));
+    let _e25 = v_attenuation((::naga_rust_rt::Scalar(0.2307653449471585f64) * (a_1 + (::naga_rust_rt::Scalar(0.2307653449471585f64) * slope_1))));
+    let _e31 = v_attenuation((::naga_rust_rt::Scalar(0.7692346550528415f64) * (a_1 + (::naga_rust_rt::Scalar(0.7692346550528415f64) * slope_1))));
+    let _e41 = v_attenuation((::naga_rust_rt::Scalar(0.5f64) * (a_1 + (::naga_rust_rt::Scalar(0.5f64) * slope_1))));
     return (((::naga_rust_rt::Scalar(0.1184634425280945f64) * (_e10 + _e16)) + (::naga_rust_rt::Scalar(0.2393143352496832f64) * (_e25 + _e31))) + (::naga_rust_rt::Scalar(0.2844444444444444f64) * _e41));
 }
 pub fn psi(
@@ -1977,11 +1973,11 @@ fn v_gaussian_mean_short(
     let a_7 = (v + (extent_4 * ::naga_rust_rt::Scalar(0.046910077030668f64)));
     let b_7 = (v + (extent_4 * ::naga_rust_rt::Scalar(0.2307653449471585f64)));
     let c = (v + (extent_4 * ::naga_rust_rt::Scalar(0.5f64)));
-    let d = (v + (extent_4 * ::naga_rust_rt::Scalar(0.7692346550528415f64)));
+    let d_1 = (v + (extent_4 * ::naga_rust_rt::Scalar(0.7692346550528415f64)));
     let e_1 = (v + (extent_4 * ::naga_rust_rt::Scalar(0.953089922969332f64)));
     let _e22 = v_attenuation(((a_7 * a_7) + q));
     let _e25 = v_attenuation(((b_7 * b_7) + q));
-    let _e28 = v_attenuation(((d * d) + q));
+    let _e28 = v_attenuation(((d_1 * d_1) + q));
     let _e31 = v_attenuation(((e_1 * e_1) + q));
     let outer = (::naga_rust_rt::Scalar(0.1184634425280945f64) * (_e22 + _e31));
     let inner_1 = (::naga_rust_rt::Scalar(0.2393143352496832f64) * (_e25 + _e28));
