@@ -13,17 +13,16 @@
 
 @group(3) @binding(5) var<storage, read> cell_bands: array<u32>; // of the range
 @group(3) @binding(6) var<storage, read> banded: array<u32>; // one bit a cell of the range: it has several bands
-// Of each word of survivors: the bands before it in its block.
-@group(3) @binding(7) var<storage, read_write> word_bands: array<u32>;
+// Of each word of survivors: the cells, or their spans, before it in its block.
+@group(3) @binding(7) var<storage, read_write> word_offsets: array<u32>;
 
 override NEAR_CUT: bool = false;
 
 // Rasterisers round positions to a grid of their own, 1/16 pixel at the coarsest: a cell is dropped only beyond that.
 const SNAP: f32 = 0.0625;
 
-var<workgroup> block_flags: array<atomic<u32>, 8>;
-// Bands beyond a cell's first.
-var<workgroup> block_bands: array<atomic<u32>, 8>;
+// Of each word of survivors: what is drawn of it.
+var<workgroup> drawn: array<u32, 256>;
 
 fn covers_a_pixel(tet: vec4u) -> bool {
     let a = projected[tet.x];
@@ -38,46 +37,43 @@ fn covers_a_pixel(tet: vec4u) -> bool {
     return all(first <= last);
 }
 
+// A word of survivors, 32 cells, each: a barrier for every 256 cells was more than half of the time on a software adapter.
 @compute @workgroup_size(256)
-fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u,
+fn main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) groups: vec3u,
         @builtin(local_invocation_index) lane: u32) {
-    let block = group.x + group.y * groups.x;
-    let i = block * 256u + lane;
-    let word = i >> 5u;
-    let bit = 1u << (i & 31u);
-    if lane < 8u {
-        atomicStore(&block_flags[lane], 0u);
-        atomicStore(&block_bands[lane], 0u);
-    }
-    workgroupBarrier();
-    if i < range.tet_count {
-        var keep = (candidates[word] & bit) != 0u;
-        if NEAR_CUT && keep {
-            keep = (clipped[(range.first_tet >> 5u) + word] & bit) == 0u;
+    let word = id.x + id.y * groups.x * 256u;
+    let words = (range.tet_count + 255u) / 256u * 8u;
+    var flags = 0u;
+    var count = 0u;
+    if word < words {
+        var rest = candidates[word];
+        if NEAR_CUT {
+            rest &= ~clipped[(range.first_tet >> 5u) + word];
         }
-        if keep && covers_a_pixel(tets[i]) {
-            atomicOr(&block_flags[lane >> 5u], bit);
-            if BANDS && (banded[word] & bit) != 0u {
-                atomicAdd(&block_bands[lane >> 5u], span_count(cell_bands[i]) - 1u);
+        for (; rest != 0u; rest &= rest - 1u) {
+            let bit = rest & (~rest + 1u);
+            let i = word * 32u + firstTrailingBit(rest);
+            if covers_a_pixel(tets[i]) {
+                flags |= bit;
+                count++;
+                if BANDS && (banded[word] & bit) != 0u {
+                    count += span_count(cell_bands[i]) - 1u;
+                }
             }
         }
+        survivors[word] = flags;
     }
+    drawn[lane] = count;
     workgroupBarrier();
-    if block * 256u >= range.tet_count {
+    if word >= words {
         return;
     }
-    if lane < 8u {
-        survivors[block * 8u + lane] = atomicLoad(&block_flags[lane]);
+    var before = 0u;
+    for (var earlier = lane & ~7u; earlier < lane; earlier++) {
+        before += drawn[earlier];
     }
-    if lane == 0u {
-        var count = 0u;
-        for (var k = 0u; k < 8u; k++) {
-            if BANDS {
-                word_bands[block * 8u + k] = count;
-                count += atomicLoad(&block_bands[k]);
-            }
-            count += countOneBits(atomicLoad(&block_flags[k]));
-        }
-        block_counts[block] = count;
+    word_offsets[word] = before;
+    if (lane & 7u) == 7u {
+        block_counts[word >> 3u] = before + count;
     }
 }

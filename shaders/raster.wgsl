@@ -36,23 +36,23 @@ struct ShadedCorner {
     @location(6) vector_change: vec3f,
 }
 
-// All positions have w = 1, so perspective interpolation is linear. (Asked for linear interpolation, lavapipe's clipper
-// loses large triangles: the cells around an eye inside the mesh.) Uniforms are read in the vertex stage: lavapipe loads
-// them lane by lane.
+// All positions have w = 1, so perspective interpolation is linear too, a division dearer. Where outlines may be clipped
+// the host takes `linear` out (shader.rs): lavapipe's clipper then loses large triangles, the cells around an eye inside
+// the mesh. Uniforms are read in the vertex stage: lavapipe loads them lane by lane.
 struct Fragment {
     @builtin(position) position: vec4f,
     // Of the interpolated side: 1/z and scalar/z; two tent functions.
-    @location(0) plane_and_tent: vec4f,
+    @location(0) @interpolate(linear) plane_and_tent: vec4f,
     // The third; x/z and y/z of the ray.
-    @location(1) tent_and_ray: vec3f,
+    @location(1) @interpolate(linear) tent_and_ray: vec3f,
     // At the apex: thickness (negative where the front is interpolated), change of scalar/z to the other side.
     @location(2) @interpolate(flat) apex: vec2f,
 }
 
 struct BandFragment {
     @builtin(position) position: vec4f,
-    @location(0) plane_and_tent: vec4f,
-    @location(1) tent_and_ray: vec3f,
+    @location(0) @interpolate(linear) plane_and_tent: vec4f,
+    @location(1) @interpolate(linear) tent_and_ray: vec3f,
     // With the span's bounds.
     @location(2) @interpolate(flat) apex: vec4f,
     @location(3) @interpolate(flat) middle: vec4f,
@@ -62,15 +62,15 @@ struct BandFragment {
 
 struct BivariateFragment {
     @builtin(position) position: vec4f,
-    @location(0) plane_and_tent: vec4f,
+    @location(0) @interpolate(linear) plane_and_tent: vec4f,
     // With gradient/z.
-    @location(1) tent_and_ray_and_gradient: vec4f,
+    @location(1) @interpolate(linear) tent_and_ray_and_gradient: vec4f,
     @location(2) @interpolate(flat) apex: vec3f,
 }
 
 // What shading adds to any of them.
 struct Shaded {
-    @location(5) vector: vec3f,
+    @location(5) @interpolate(linear) vector: vec3f,
     // Its change at the apex; the silhouettes' exponent.
     @location(6) @interpolate(flat) vector_change: vec4f,
     // Towards the light, ambient.
@@ -81,10 +81,10 @@ struct Shaded {
 
 struct ShadedFragment {
     @builtin(position) position: vec4f,
-    @location(0) plane_and_tent: vec4f,
-    @location(1) tent_and_ray: vec3f,
+    @location(0) @interpolate(linear) plane_and_tent: vec4f,
+    @location(1) @interpolate(linear) tent_and_ray: vec3f,
     @location(2) @interpolate(flat) apex: vec2f,
-    @location(5) vector: vec3f,
+    @location(5) @interpolate(linear) vector: vec3f,
     @location(6) @interpolate(flat) vector_change: vec4f,
     @location(7) @interpolate(flat) towards: vec4f,
     @location(8) @interpolate(flat) material: vec4f,
@@ -92,13 +92,13 @@ struct ShadedFragment {
 
 struct ShadedBandFragment {
     @builtin(position) position: vec4f,
-    @location(0) plane_and_tent: vec4f,
-    @location(1) tent_and_ray: vec3f,
+    @location(0) @interpolate(linear) plane_and_tent: vec4f,
+    @location(1) @interpolate(linear) tent_and_ray: vec3f,
     @location(2) @interpolate(flat) apex: vec4f,
     @location(3) @interpolate(flat) middle: vec4f,
     @location(4) @interpolate(flat) lower: vec4f,
     @location(9) @interpolate(flat) upper: vec4f,
-    @location(5) vector: vec3f,
+    @location(5) @interpolate(linear) vector: vec3f,
     @location(6) @interpolate(flat) vector_change: vec4f,
     @location(7) @interpolate(flat) towards: vec4f,
     @location(8) @interpolate(flat) material: vec4f,
@@ -106,10 +106,10 @@ struct ShadedBandFragment {
 
 struct ShadedBivariateFragment {
     @builtin(position) position: vec4f,
-    @location(0) plane_and_tent: vec4f,
-    @location(1) tent_and_ray_and_gradient: vec4f,
+    @location(0) @interpolate(linear) plane_and_tent: vec4f,
+    @location(1) @interpolate(linear) tent_and_ray_and_gradient: vec4f,
     @location(2) @interpolate(flat) apex: vec3f,
-    @location(5) vector: vec3f,
+    @location(5) @interpolate(linear) vector: vec3f,
     @location(6) @interpolate(flat) vector_change: vec4f,
     @location(7) @interpolate(flat) towards: vec4f,
     @location(8) @interpolate(flat) material: vec4f,
@@ -123,13 +123,20 @@ fn ray(clip: vec2f) -> vec2f {
     return clip * vec2f(frame.ray_per_clip_x, frame.ray_per_clip_y);
 }
 
+// The viewport is larger than the picture, by a power of two: rounding stays as it is.
+override CLIP_SCALE: f32 = 1.0;
+
+fn position_of(clip: vec2f) -> vec4f {
+    return vec4f(CLIP_SCALE * clip, 0.5, 1.0);
+}
+
 @vertex
 fn vertex(corner: Corner) -> Fragment {
     return fragment_of(corner);
 }
 
 fn fragment_of(corner: Corner) -> Fragment {
-    return Fragment(vec4f(corner.clip, 0.5, 1.0), vec4f(corner.plane, corner.tent.xy),
+    return Fragment(position_of(corner.clip), vec4f(corner.plane, corner.tent.xy),
                     vec3f(corner.tent.z, ray(corner.clip)), corner.apex);
 }
 
@@ -155,7 +162,7 @@ fn band_fragment_of(corner: BandCorner) -> BandFragment {
     let upper = (node_values[end] - middle) / select(upper_end, 1.0, is_single);
     let bounds = vec2f(select(-1.0, -UNCLIPPED, (packed & 1u) != 0u),
                        select(upper_end, UNCLIPPED, (packed & 2u) != 0u));
-    return BandFragment(vec4f(corner.clip, 0.5, 1.0), vec4f(corner.plane, corner.tent.xy),
+    return BandFragment(position_of(corner.clip), vec4f(corner.plane, corner.tent.xy),
                         vec3f(corner.tent.z, ray(corner.clip)), vec4f(corner.apex.xy, bounds), middle,
                         middle - node_values[piece], upper);
 }
@@ -166,7 +173,7 @@ fn vertex_bivariate(corner: BivariateCorner) -> BivariateFragment {
 }
 
 fn bivariate_fragment_of(corner: BivariateCorner) -> BivariateFragment {
-    return BivariateFragment(vec4f(corner.clip, 0.5, 1.0), vec4f(corner.plane, corner.tent.xy),
+    return BivariateFragment(position_of(corner.clip), vec4f(corner.plane, corner.tent.xy),
                              vec4f(corner.tent.z, ray(corner.clip), corner.gradient.x),
                              vec3f(corner.apex, corner.gradient.y));
 }

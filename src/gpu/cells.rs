@@ -25,8 +25,8 @@ pub struct CellBuffers {
     pub band_totals: wgpu::Buffer,
     /// One bit a candidate: it has several bands.
     pub banded: wgpu::Buffer,
-    /// Bands before each word of `survivors` in its block.
-    pub word_bands: wgpu::Buffer,
+    /// Cells, or their spans, before each word of `survivors` in its block.
+    pub word_offsets: wgpu::Buffer,
     /// Survivors of each block of 256 cells, or their bands.
     pub block_counts: wgpu::Buffer,
     /// Survivors before each block.
@@ -60,7 +60,7 @@ impl CellBuffers {
             cell_bands: gpu.buffer("cell_bands", 16, STORAGE),
             band_totals: gpu.buffer("band_totals", 16, copied | wgpu::BufferUsages::COPY_DST),
             banded: gpu.buffer("banded", blocks * 32, STORAGE),
-            word_bands: gpu.buffer("word_bands", blocks * 32, STORAGE),
+            word_offsets: gpu.buffer("word_offsets", blocks * 32, STORAGE),
             block_counts: gpu.buffer("block_counts", blocks * 4, STORAGE),
             block_offsets: gpu.buffer("block_offsets", blocks * 4, STORAGE),
             counts: gpu.buffer("counts", size_of::<layout::Counts>() as u64, indirect | wgpu::BufferUsages::COPY_SRC),
@@ -89,7 +89,7 @@ impl CellBuffers {
             ("cell_bands", &self.cell_bands),
             ("band_totals", &self.band_totals),
             ("banded", &self.banded),
-            ("word_bands", &self.word_bands),
+            ("word_offsets", &self.word_offsets),
             ("block_counts", &self.block_counts),
             ("block_offsets", &self.block_offsets),
             ("counts", &self.counts),

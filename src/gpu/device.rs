@@ -230,13 +230,13 @@ impl Gpu {
     /// The shader does not compile.
     pub fn draw_kernel(
         &self,
-        name: &'static str,
+        module: Module,
         entries: [&str; 2],
         constants: &[(&str, f64)],
         targets: &[Option<wgpu::ColorTargetState>],
         vertex_buffers: &[Option<wgpu::VertexBufferLayout<'_>>],
     ) -> Result<DrawKernel> {
-        let module = Module::new(name)?;
+        let name = module.name;
         let layouts = self.layouts(&module);
         let shader = self.shader(&module);
         let constants = known_constants(&module, constants);

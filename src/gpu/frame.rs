@@ -17,11 +17,7 @@ pub fn camera_uniform(frame: &Frame<'_>, mesh: &TetMesh) -> layout::Frame {
     let eye_from_reference = eye - reference.as_dvec3();
     let [width, height] = frame.size.map(f64::from);
     let aspect = width / height;
-    // Half the image's height at depth 1 (perspective) or everywhere (orthographic, mesh units).
-    let half = match camera.projection {
-        Projection::Perspective { fov_y } => (0.5 * fov_y).tan(),
-        Projection::Orthographic { height } => 0.5 * height / mesh.data_per_mesh,
-    };
+    let half = half_height(camera, mesh);
     let (x_row, y_row) = (basis.right / (half * aspect), basis.up / half);
     let offset = |row: DVec3| (-row.dot(eye_from_reference)) as f32;
     let f32s = |v: DVec3| v.as_vec3().to_array();
@@ -41,4 +37,31 @@ pub fn camera_uniform(frame: &Frame<'_>, mesh: &TetMesh) -> layout::Frame {
         z_offset: offset(basis.forward),
         ..Default::default()
     }
+}
+
+/// Half the picture's height at depth 1 (perspective) or everywhere (orthographic, mesh units).
+fn half_height(camera: &Camera, mesh: &TetMesh) -> f64 {
+    match camera.projection {
+        Projection::Perspective { fov_y } => (0.5 * fov_y).tan(),
+        Projection::Orthographic { height } => 0.5 * height / mesh.data_per_mesh,
+    }
+}
+
+/// True where all of the mesh is before the eye and within a picture so many times as large, `margin` pixels inside it.
+pub fn lies_within(frame: &Frame<'_>, mesh: &TetMesh, scale: f64, margin: f64) -> bool {
+    let (camera, basis) = (frame.camera, frame.camera.basis());
+    let [width, height] = frame.size.map(f64::from);
+    let half = half_height(camera, mesh);
+    let eye = mesh.mesh_from_data(camera.eye);
+    mesh.bounds().corners().iter().all(|&corner| {
+        let from_eye = corner - eye;
+        let depth = match camera.projection {
+            Projection::Perspective { .. } => basis.forward.dot(from_eye),
+            Projection::Orthographic { .. } => 1.0,
+        };
+        // Pixels from the picture's middle.
+        let pixels = 0.5 * height / (half * depth);
+        let (x, y) = (pixels * basis.right.dot(from_eye).abs(), pixels * basis.up.dot(from_eye).abs());
+        depth > 0.0 && x <= 0.5 * scale * width - margin && y <= 0.5 * scale * height - margin
+    })
 }

@@ -10,7 +10,7 @@ use crate::gpu::layout;
 use crate::gpu::light::{self, Shading};
 use crate::gpu::mesh::TetRange;
 use crate::gpu::record::{Recorder, Work};
-use crate::gpu::scene::{self, SceneKernels, Spans, Variant};
+use crate::gpu::scene::{self, GUARD, SceneKernels, Spans, Variant};
 use crate::gpu::slabs::{MOST_LAYERS, Slabs};
 use crate::gpu::sort;
 use crate::gpu::store::{Pieces, SPAN_BITS, Store};
@@ -35,6 +35,9 @@ const THIN: f32 = 1.0;
 /// costs more a fragment. On lavapipe as many bands as pairs (a linear function) took 0.95 times as long a frame, 1.4 times
 /// as many (584,000 cells) 1.3 times.
 const PAIRS_PAY: f64 = 1.1;
+
+/// By how many pixels an outline may be drawn too large (`project.wgsl`).
+const LONGEST_HAIR: f64 = 64.0;
 
 /// Cells of one draw on a software adapter: lavapipe bins a draw's triangles, at 300 bytes each, before it shades them,
 /// and these fit the caches. 16,384 took 1.25 times as long a frame (584,000 cells), 1,024 as long for its passes.
@@ -238,6 +241,9 @@ impl GpuRenderer {
         self.gpu.queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&uniform));
         let light = light::uniform(frame.optics, &frame.camera.basis());
         self.gpu.queue.write_buffer(&self.light, 0, bytemuck::bytes_of(&light));
+        let has_viewport = frame.size.iter().all(|&n| n <= self.gpu.device.limits().max_texture_dimension_2d / 2);
+        let clipped = !has_viewport || pieces.is_some() || !frame::lies_within(frame, &self.mesh, GUARD, LONGEST_HAIR);
+        self.scene.as_mut().ok_or_else(unprepared)?.need_raster(&self.gpu, clipped)?;
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let all = self.resources(&scene.transfer);
         let mut recorder = Recorder::new(&self.gpu, timed);
@@ -247,14 +253,14 @@ impl GpuRenderer {
             notes.push(format!("cells near the eye were cut: {} pieces of them are drawn instead", p.range.count));
         }
         let passes = if self.f16 {
-            let (slabs, passes) = self.raster_slabs(recorder, timed)?;
+            let (slabs, passes) = self.raster_slabs(recorder, clipped, timed)?;
             self.slabs = slabs;
             let cells = survivors.unwrap_or(u32::MAX);
             let count = self.slabs.ranges(cells).len();
             notes.push(format!("blended in f16, in {count} slabs of at most {MOST_LAYERS} layers"));
             passes
         } else {
-            self.raster(&mut recorder, &all, survivors, survivors.unwrap_or(uniform.most_drawn))?;
+            self.raster(&mut recorder, &all, clipped, survivors, survivors.unwrap_or(uniform.most_drawn))?;
             recorder.finish()?
         };
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
@@ -276,12 +282,14 @@ impl GpuRenderer {
         recorder.compute(&scene.vertices, &scene.vertices.bind(gpu, all)?, Work::Items(vertices))?;
         let ranges = self.store.range_resources(all, pieces);
         let cull = scene.cull(pieces.is_some());
+        // Of the survivors' bits, a word each.
+        let words = |range: &TetRange| Work::Items(range.count.div_ceil(256) * 8);
         for (range, part) in &ranges {
-            recorder.compute(cull, &cull.bind(gpu, part)?, Work::Items(range.count))?;
+            recorder.compute(cull, &cull.bind(gpu, part)?, words(range))?;
         }
         recorder.compute(&scene.compact, &scene.compact.bind(gpu, all)?, Work::Groups(1))?;
         for (range, part) in &ranges {
-            recorder.compute(&scene.keys, &scene.keys.bind(gpu, part)?, Work::Items(range.count))?;
+            recorder.compute(&scene.keys, &scene.keys.bind(gpu, part)?, words(range))?;
         }
         let cells = &self.store.cells;
         self.store.sorter.sort(gpu, recorder, &cells.counts, &cells.keys, &cells.order)
@@ -289,16 +297,25 @@ impl GpuRenderer {
 
     /// Projects and blends the sorted cells or bands (`most` at most; `known` where the host knows how many) in f32, chunk
     /// by chunk, and finishes the picture.
-    fn raster(&self, recorder: &mut Recorder<'_>, all: &Resources<'_>, known: Option<u32>, most: u32) -> Result<()> {
+    fn raster(
+        &self,
+        recorder: &mut Recorder<'_>,
+        all: &Resources<'_>,
+        clipped: bool,
+        known: Option<u32>,
+        most: u32,
+    ) -> Result<()> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let target = self.target.as_ref().ok_or_else(unprepared)?;
         let (gpu, store) = (&self.gpu, &self.store);
-        let raster_groups = scene.raster.bind(gpu, all)?;
+        let raster = scene.raster(clipped).ok_or_else(unprepared)?;
+        let raster_groups = raster.bind(gpu, all)?;
         let mut load = EMPTY;
         for chunk in 0..most.max(1).div_ceil(store.chunk_cells) {
             self.project_chunk(recorder, all, chunk)?;
             let mut draw = |range: Option<std::ops::Range<u32>>| {
-                recorder.draw(&scene.raster, &raster_groups, &[(&target.blended, load)], |pass| {
+                recorder.draw(raster, &raster_groups, &[(&target.blended, load)], |pass| {
+                    self.set_viewport(pass, clipped);
                     pass.set_index_buffer(store.indices.slice(..), wgpu::IndexFormat::Uint32);
                     pass.set_vertex_buffer(0, store.cells.corners.slice(..));
                     match range {
@@ -324,6 +341,15 @@ impl GpuRenderer {
         self.finish_picture(recorder, &target.blended)
     }
 
+    /// A viewport beyond which outlines do not reach, where they are not to be clipped.
+    fn set_viewport(&self, pass: &mut wgpu::RenderPass<'_>, clipped: bool) {
+        if let (false, Some(target)) = (clipped, &self.target) {
+            let [width, height] = target.size.map(|n| n as f32);
+            let (scale, shift) = (GUARD as f32, 0.5 * (1.0 - GUARD as f32));
+            pass.set_viewport(shift * width, shift * height, scale * width, scale * height, 0.0, 1.0);
+        }
+    }
+
     /// Makes the corners of one chunk's cells.
     fn project_chunk(&self, recorder: &mut Recorder<'_>, all: &Resources<'_>, chunk: u32) -> Result<()> {
         let project = &self.scene.as_ref().ok_or_else(unprepared)?.project;
@@ -341,14 +367,19 @@ impl GpuRenderer {
     }
 
     /// The same in f16, slab by slab. Returns the slabs that held, and the passes' times of the last attempt.
-    fn raster_slabs(&self, mut recorder: Recorder<'_>, timed: bool) -> Result<(Slabs, Vec<crate::renderer::PassTime>)> {
+    fn raster_slabs(
+        &self,
+        mut recorder: Recorder<'_>,
+        clipped: bool,
+        timed: bool,
+    ) -> Result<(Slabs, Vec<crate::renderer::PassTime>)> {
         recorder.submit();
         let cells = sort::survivors(&self.gpu, &self.store.cells.counts)?;
         let mut slabs = self.slabs.clone();
         let mut before = recorder.finish()?;
         loop {
             let mut recorder = Recorder::new(&self.gpu, timed);
-            let layers = self.raster_slabs_once(&mut recorder, &slabs.ranges(cells))?;
+            let layers = self.raster_slabs_once(&mut recorder, clipped, &slabs.ranges(cells))?;
             let passes = recorder.finish()?;
             let layers: Vec<u32> = match &layers {
                 Some(buffer) => self.gpu.map(buffer, buffer.size())?,
@@ -365,6 +396,7 @@ impl GpuRenderer {
     fn raster_slabs_once(
         &self,
         recorder: &mut Recorder<'_>,
+        clipped: bool,
         ranges: &[std::ops::Range<u32>],
     ) -> Result<Option<wgpu::Buffer>> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
@@ -372,7 +404,8 @@ impl GpuRenderer {
         let (gpu, store) = (&self.gpu, &self.store);
         let (Some(kernels), Some(slab_target)) = (&scene.slabs, &target.slabs) else { return Err(unprepared()) };
         let all = self.resources(&scene.transfer);
-        let raster_groups = scene.raster.bind(gpu, &all)?;
+        let raster = scene.raster(clipped).ok_or_else(unprepared)?;
+        let raster_groups = raster.bind(gpu, &all)?;
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
         let most_layers = gpu.buffer("most_layers", 4, usage);
         let mapped = (!ranges.is_empty()).then(|| {
@@ -395,7 +428,8 @@ impl GpuRenderer {
                 let start = range.start.max(first) - first;
                 let end = range.end.min(first + store.chunk_cells) - first;
                 let targets = [(&target.blended, loads[0]), (&slab_target.layers, loads[1])];
-                recorder.draw(&scene.raster, &raster_groups, &targets, |pass| {
+                recorder.draw(raster, &raster_groups, &targets, |pass| {
+                    self.set_viewport(pass, clipped);
                     pass.set_index_buffer(store.indices.slice(..), wgpu::IndexFormat::Uint32);
                     pass.set_vertex_buffer(0, store.cells.corners.slice(..));
                     pass.draw_indexed(start * 6..end * 6, 0, 0..1);

@@ -4,6 +4,7 @@ use crate::error::Result;
 use crate::gpu::device::{DrawKernel, Gpu, Kernel};
 use crate::gpu::layout::BandTotals;
 use crate::gpu::light::Shading;
+use crate::gpu::shader::Module;
 use crate::gpu::transfer::TransferBuffers;
 
 /// What kernels are specialised to, besides the transfer function.
@@ -38,12 +39,13 @@ pub struct SceneKernels {
     /// Corners of a chunk.
     pub project: Kernel,
     /// Draws a chunk.
-    pub raster: DrawKernel,
+    raster: [Option<DrawKernel>; 2],
     /// Finishes the picture.
     pub resolve: DrawKernel,
     /// f16 only.
     pub slabs: Option<SlabKernels>,
     constants: Vec<(&'static str, f64)>,
+    f16: bool,
 }
 
 /// What blending in slabs needs.
@@ -73,6 +75,13 @@ const ADD: wgpu::BlendComponent = wgpu::BlendComponent {
     dst_factor: wgpu::BlendFactor::One,
     operation: wgpu::BlendOperation::Add,
 };
+
+/// How much larger the viewport is than the picture where outlines are not to be clipped.
+pub const GUARD: f64 = 2.0;
+
+fn target(format: wgpu::TextureFormat, blend: Option<wgpu::BlendState>) -> Option<wgpu::ColorTargetState> {
+    Some(wgpu::ColorTargetState { format, blend, write_mask: wgpu::ColorWrites::ALL })
+}
 
 /// The spans of the cells that a function can make visible (`shared/bands.wgsl`).
 #[derive(Clone, Copy, Debug)]
@@ -124,24 +133,11 @@ impl SceneKernels {
         constants.push(("BANDS", flag(spans.is_some())));
         constants.push(("PAIRED", flag(spans.is_some_and(|s| s.paired))));
         let slab_constants = [&constants[..], &[("SLAB", 1.0)]].concat();
-        let target = |format, blend| Some(wgpu::ColorTargetState { format, blend, write_mask: wgpu::ColorWrites::ALL });
-        let f32_target = |blend| target(wgpu::TextureFormat::Rgba32Float, blend);
-        let blend_targets = if f16 {
-            let count = wgpu::BlendState { color: ADD, alpha: ADD };
-            vec![
-                target(wgpu::TextureFormat::Rgba16Float, Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING)),
-                target(wgpu::TextureFormat::R16Float, Some(count)),
-            ]
-        } else {
-            vec![f32_target(Some(BACK_TO_FRONT))]
-        };
-        let attributes = corner_attributes(transfer.bivariate, spans.is_some(), variant.shading.is_on());
-        let array_stride = attributes.iter().map(|a| a.format.size()).sum();
-        let corners =
-            wgpu::VertexBufferLayout { array_stride, step_mode: wgpu::VertexStepMode::Vertex, attributes: &attributes };
-        let [vertex, fragment] = raster_entries(transfer.bivariate, spans.is_some(), variant.shading.is_on(), f16);
-        let entries = [vertex.as_str(), fragment.as_str()];
         let full = ["vertex", "fragment"];
+        let resolve = |constants: &[_]| {
+            let targets = [target(wgpu::TextureFormat::Rgba32Float, None)];
+            gpu.draw_kernel(Module::new("resolve")?, full, constants, &targets, &[])
+        };
         Ok(Self {
             variant,
             spans,
@@ -152,14 +148,12 @@ impl SceneKernels {
             compact: gpu.kernel("compact", &constants)?,
             keys: gpu.kernel("keys", &constants)?,
             project: gpu.kernel("project", &constants)?,
-            raster: gpu.draw_kernel("raster", entries, &constants, &blend_targets, &[Some(corners)])?,
-            resolve: gpu.draw_kernel("resolve", full, &constants, &[f32_target(None)], &[])?,
+            f16,
+            raster: [None, None],
+            resolve: resolve(&constants)?,
             slabs: match f16 {
                 false => None,
-                true => Some(SlabKernels {
-                    resolve: gpu.draw_kernel("resolve", full, &slab_constants, &[f32_target(None)], &[])?,
-                    layers: gpu.kernel("layers", &[])?,
-                }),
+                true => Some(SlabKernels { resolve: resolve(&slab_constants)?, layers: gpu.kernel("layers", &[])? }),
             },
             transfer,
             constants,
@@ -176,6 +170,44 @@ impl SceneKernels {
             self.cull_near = Some(gpu.kernel("cull", &constants)?);
         }
         Ok(())
+    }
+
+    /// Makes the raster pass; `clipped`: outlines may leave the viewport.
+    ///
+    /// # Errors
+    /// A shader that does not compile.
+    pub fn need_raster(&mut self, gpu: &Gpu, clipped: bool) -> Result<()> {
+        if self.raster(clipped).is_some() {
+            return Ok(());
+        }
+        let (bivariate, in_spans) = (self.transfer.bivariate, self.spans.is_some());
+        let shaded = self.variant.shading.is_on();
+        let attributes = corner_attributes(bivariate, in_spans, shaded);
+        let array_stride = attributes.iter().map(|a| a.format.size()).sum();
+        let corners =
+            wgpu::VertexBufferLayout { array_stride, step_mode: wgpu::VertexStepMode::Vertex, attributes: &attributes };
+        let [vertex, fragment] = raster_entries(bivariate, in_spans, shaded, self.f16);
+        let targets = if self.f16 {
+            let count = wgpu::BlendState { color: ADD, alpha: ADD };
+            vec![
+                target(wgpu::TextureFormat::Rgba16Float, Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING)),
+                target(wgpu::TextureFormat::R16Float, Some(count)),
+            ]
+        } else {
+            vec![target(wgpu::TextureFormat::Rgba32Float, Some(BACK_TO_FRONT))]
+        };
+        let module = Module::new("raster")?;
+        let (module, scale) = if clipped { (module.in_perspective(), 1.0) } else { (module, 1.0 / GUARD) };
+        let constants = [&self.constants[..], &[("CLIP_SCALE", scale)]].concat();
+        let entries = [vertex.as_str(), fragment.as_str()];
+        let kernel = gpu.draw_kernel(module, entries, &constants, &targets, &[Some(corners)])?;
+        self.raster[usize::from(clipped)] = Some(kernel);
+        Ok(())
+    }
+
+    /// The raster pass, after [`Self::need_raster`].
+    pub fn raster(&self, clipped: bool) -> Option<&DrawKernel> {
+        self.raster[usize::from(clipped)].as_ref()
     }
 
     /// The cull pass; `near_cut` only after [`Self::need_near_cut`].

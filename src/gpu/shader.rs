@@ -176,6 +176,13 @@ impl Module {
         Ok(Self { name, source, bindings: bindings.into_values().collect(), naga: module })
     }
 
+    /// The same with every value interpolated in perspective.
+    #[must_use]
+    pub fn in_perspective(mut self) -> Self {
+        self.source = self.source.replace("@interpolate(linear) ", "");
+        self
+    }
+
     /// The size in bytes of the WGSL struct `name`, and its members' names and offsets.
     pub fn struct_layout(&self, name: &str) -> Option<(u32, Vec<(String, u32)>)> {
         self.naga.types.iter().find_map(|(_, ty)| match &ty.inner {
