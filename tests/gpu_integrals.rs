@@ -166,6 +166,34 @@ fn curves_by_every_integral() {
 fn unweighted_emission_glows() {
     let optics = Optics { emission: EmissionModel::Unweighted, ..Optics::PLAIN };
     check(&widgets(&mesh()), &optics, &[("adaptive", 40.0, 200.0)]);
+    check(&curve(&mesh()), &optics, &[("adaptive", 95.0, 200.0), ("partial", 95.0, 200.0)]); // 100.6
+}
+
+/// By tables of visible lengths, one widget at a time.
+#[test]
+fn tabled_emission_glows() {
+    let mesh = mesh();
+    let (s, g) = (mesh.scalar_range(), mesh.gradient_range());
+    let (_, diagonal) = meshes::center_and_diagonal(&mesh);
+    let gaussian = WidgetShape::Gaussian {
+        center: [s.min + 0.3 * s.length(), g.min + 0.4 * g.length()],
+        sigma: [0.04 * s.length(), 0.3 * g.length()],
+        angle: 0.2,
+    };
+    let wave = |variant| WidgetShape::Sinusoid {
+        direction: [1.0 / s.length(), 0.1 / g.length()],
+        offset: s.min / s.length(),
+        period: 0.04,
+        variant,
+    };
+    let optics = Optics { emission: EmissionModel::Unweighted, ..Optics::PLAIN };
+    for shape in [gaussian, wave(SinusoidVariant::Cos), wave(SinusoidVariant::Arch)] {
+        for depth in [3.0, 300.0] {
+            let widget = Widget::new(shape.clone(), [1.0, 0.6, 0.2], depth / diagonal);
+            let alone = TransferFunction::Widgets(vec![widget]);
+            check(&alone, &optics, &[("analytic", 75.0, 200.0), ("adaptive", 75.0, 200.0)]);
+        }
+    }
 }
 
 #[test]
@@ -175,6 +203,4 @@ fn what_cannot_be_drawn_is_refused() {
         draw(&mesh, transfer, integral, optics).expect_err("a refusal").to_string()
     };
     assert!(refusal(&widgets(&mesh), "preintegrated", &Optics::PLAIN).contains("functions of the scalar alone"));
-    let glow = Optics { emission: EmissionModel::Unweighted, ..Optics::PLAIN };
-    assert!(refusal(&curve(&mesh), "adaptive", &glow).contains("unweighted emission of a curve"));
 }

@@ -67,6 +67,20 @@ fn unweighted_emission_is_close() {
     check(adaptive(1e-3), EmissionModel::Unweighted);
 }
 
+/// By tables, where one Gaussian or wave is alone.
+#[test]
+fn tabled_emission_is_close() {
+    check(SegmentIntegral::Analytic, EmissionModel::Unweighted);
+    // What a table answers takes one piece; elsewhere pieces are scaled to their depth.
+    let cases: Vec<Case> = selection().into_iter().filter(|c| c.tags.iter().any(|tag| tag == "gaussian")).collect();
+    let pieces = |integral| {
+        let answers = on_device(&open(), integral, EmissionModel::Unweighted, &cases).expect("answers");
+        answers.iter().map(|answer| answer.pieces).sum::<u32>() as usize
+    };
+    assert!(pieces(SegmentIntegral::Analytic) <= cases.len() * 5 / 4);
+    assert!(pieces(adaptive(1e-3)) > cases.len() * 5 / 2);
+}
+
 #[test]
 fn planted_errors_are_rejected() {
     let gpu = open();

@@ -24,7 +24,8 @@ fn classify_curve(scalar: f32) -> vec4f {
     return vec4f(value.rgb * value.w, value.w);
 }
 
-// Between the function's nodes extinction and colour are linear: psi of each piece, whatever its depth.
+// Between the function's nodes extinction and colour are linear: psi of each piece, whatever its depth. With UNWEIGHTED
+// the colour is emitted wherever there is any extinction, and two integrals of the same kind weigh its ends.
 fn partial_curve_segment(scalars: vec2f, extent: f32) -> vec4f {
     let change = scalars.y - scalars.x;
     let rising = change > 0.0;
@@ -46,7 +47,12 @@ fn partial_curve_segment(scalars: vec2f, extent: f32) -> vec4f {
         let step = extent * (end - at);
         let a = min(front.w * step, 1e25);
         let b = min(back.w * step, 1e25);
-        let weights = partial_weights(a, b);
+        var weights: vec2f;
+        if UNWEIGHTED {
+            weights = select(vec2f(0.0), step * emission_weights(a, b), front.w + back.w > 0.0);
+        } else {
+            weights = partial_weights(a, b);
+        }
         color += attenuation(depth) * (weights.x * front.rgb + weights.y * back.rgb);
         depth += 0.5 * (a + b);
         at = end;

@@ -1,6 +1,7 @@
 #import shared/adaptive
 #import shared/points
 #import shared/special
+#import shared/visible
 
 // Integrals of one segment under a sum of widgets; which one is an override constant (renderer.rs, SegmentIntegral).
 
@@ -23,6 +24,9 @@ fn widget_segment(scalars: vec2f, gradients: vec2f, extent: f32) -> vec4f {
     let s = Segment(vec2f(scalars.x, gradients.x), vec2f(scalars.y, gradients.y), extent);
     pieces_taken = 1u;
     if UNWEIGHTED {
+        if INTEGRAL == ANALYTIC {
+            return tabled_segment(s);
+        }
         return unweighted_segment(s);
     }
     if INTEGRAL == ADAPTIVE && !ONE_COLOR {

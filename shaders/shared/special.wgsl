@@ -150,8 +150,12 @@ fn glow(s: Segment, start: f32, end: f32) -> Glow {
             if glows(w, point_at(s, 0.5 * (start + end))) {
                 color += w.color;
             }
-            let range = profile_range(w, p, q);
-            bend += min(w.extinction * s.extent, 1e25) * (range.y - range.x);
+            // Straight profiles are straight between special points.
+            let is_straight = (w.shape == UNIFORM || w.shape == TRIANGLE || w.shape == RAMP) && !(WINDOWS && w.knots.y > 0u);
+            if !is_straight {
+                let range = profile_range(w, p, q);
+                bend += min(w.extinction * s.extent, 1e25) * (range.y - range.x);
+            }
         }
     }
     return Glow(shares, color, bend * (end - start));

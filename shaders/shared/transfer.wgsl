@@ -47,6 +47,9 @@ fn classify(p: vec2f) -> vec4f {
 // Premultiplied colour and transmittance of the segment from front to back.
 fn segment(scalars: vec2f, gradients: vec2f, extent: f32) -> vec4f {
     if PIECES > 0u {
+        if UNWEIGHTED {
+            return partial_curve_segment(scalars, extent);
+        }
         if from_points() {
             return point_segment(Segment(vec2f(scalars.x, 0.0), vec2f(scalars.y, 0.0), extent));
         }

@@ -5,6 +5,7 @@ use crate::gpu::device::{Gpu, Resources};
 use crate::gpu::record::{Recorder, Work};
 use crate::renderer::SegmentIntegral;
 use crate::scene::{EmissionModel, TransferFunction};
+use crate::tables::Kind;
 
 /// Lengths of the table of `preintegrated` (`shared/curves.wgsl`).
 const LENGTHS: u32 = 32;
@@ -29,17 +30,12 @@ pub fn constants(integral: SegmentIntegral, emission: EmissionModel) -> Vec<(&'s
 /// What an integral cannot do.
 ///
 /// # Errors
-/// A table of 1D functions and widgets; unweighted emission of a 1D function.
-pub fn check(integral: SegmentIntegral, emission: EmissionModel, transfer: &TransferFunction) -> Result<()> {
-    match (integral, emission, transfer) {
-        (SegmentIntegral::PreIntegrated { .. }, _, TransferFunction::Widgets(_)) => Err(Error::Asked(
+/// A table of 1D functions and widgets.
+pub fn check(integral: SegmentIntegral, transfer: &TransferFunction) -> Result<()> {
+    match (integral, transfer) {
+        (SegmentIntegral::PreIntegrated { .. }, TransferFunction::Widgets(_)) => Err(Error::Asked(
             "'preintegrated' holds functions of the scalar alone, and the transfer function has widgets: use \
              adaptive, or give the function as a curve"
-                .into(),
-        )),
-        (_, EmissionModel::Unweighted, TransferFunction::Curve(_)) => Err(Error::Asked(
-            "unweighted emission of a curve cannot be drawn on a graphics device: use --device oracle, or give the \
-             function as ramps"
                 .into(),
         )),
         _ => Ok(()),
@@ -48,6 +44,15 @@ pub fn check(integral: SegmentIntegral, emission: EmissionModel, transfer: &Tran
 
 fn empty(gpu: &Gpu, entries: u32) -> wgpu::Buffer {
     gpu.buffer("table", u64::from(entries) * 16, wgpu::BufferUsages::STORAGE)
+}
+
+/// The tables of visible lengths (`shared/visible.wgsl`); an empty one where nothing is looked up.
+pub fn visible_lengths(gpu: &Gpu, integral: SegmentIntegral, emission: EmissionModel) -> wgpu::Buffer {
+    if (integral, emission) != (SegmentIntegral::Analytic, EmissionModel::Unweighted) {
+        return gpu.buffer("visible_lengths", 16, wgpu::BufferUsages::STORAGE);
+    }
+    let values = [Kind::GaussianJ, Kind::ArchK, Kind::CosineK].map(|kind| kind.table().values.as_slice()).concat();
+    gpu.storage("visible_lengths", &values)
 }
 
 /// The table of psi, filled on the device; an empty one where the integral looks nothing up.

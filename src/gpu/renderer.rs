@@ -155,6 +155,7 @@ impl GpuRenderer {
         let mut spans = None;
         // Spans are drawn by the exact integral.
         let exact = matches!(self.settings.integral, SegmentIntegral::Analytic | SegmentIntegral::Adaptive { .. });
+        let in_bands = in_bands && emission == EmissionModel::Weighted;
         if curve && in_bands && exact && variant.shading.allows_bands() {
             let totals = self.band_totals()?;
             let paired = f64::from(totals.bands) > PAIRS_PAY * f64::from(totals.pairs);

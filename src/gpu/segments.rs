@@ -49,7 +49,7 @@ pub fn integrate(
     emission: EmissionModel,
     segments: &[Segment<'_>],
 ) -> Result<Vec<Integrated>> {
-    integral::check(integral, emission, &TransferFunction::Widgets(Vec::new()))?;
+    integral::check(integral, &TransferFunction::Widgets(Vec::new()))?;
     let mut results = Vec::with_capacity(segments.len());
     for part in segments.chunks(MOST_CASES) {
         results.extend(integrate_part(gpu, integral, emission, part)?);
@@ -95,8 +95,10 @@ fn integrate_part(
     let knots = gpu.storage("case_knots", &set.knots);
     let cases = gpu.storage("cases", &cases);
     let table = integral::psi_table(gpu, integral)?;
+    let visible_lengths = integral::visible_lengths(gpu, integral, emission);
     let resources = Resources::default()
         .with("table", &table)
+        .with("visible_lengths", &visible_lengths)
         .with("case_widgets", &widgets)
         .with("case_knots", &knots)
         .with("cases", &cases)

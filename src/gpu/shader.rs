@@ -46,6 +46,7 @@ const SOURCES: &[(&str, &str)] = sources![
     "shared/table",
     "shared/tets",
     "shared/transfer",
+    "shared/visible",
     "shared/widgets",
     "sort_count",
     "sort_scan",

@@ -30,6 +30,8 @@ pub struct TransferBuffers {
     pub knots: wgpu::Buffer,
     /// What the integral looks up, `array<vec4f>`.
     pub table: wgpu::Buffer,
+    /// Tables of unweighted emission, `array<f32>`.
+    pub visible_lengths: wgpu::Buffer,
     /// The emission model it was made for.
     pub emission: EmissionModel,
     /// `override` constants.
@@ -62,11 +64,11 @@ impl TransferBuffers {
                 list.iter().try_for_each(|w| set.push(w, &axes))?;
                 Vec::new()
             }
-            TransferFunction::Curve(curve) => curve_nodes(curve, scalar, data_per_mesh),
+            TransferFunction::Curve(curve) => curve_nodes(curve, scalar, data_per_mesh, axes.color_scale),
         };
         let mut pieces: Vec<Piece> = nodes.windows(2).map(|pair| piece(pair[0], pair[1])).collect();
         check(&pieces)?;
-        integral::check(integral, emission, transfer)?;
+        integral::check(integral, transfer)?;
         if set.widgets.len() > MOST_WIDGETS || set.knots.len() > MOST_KNOT_PIECES || pieces.len() > MOST_PIECES {
             return Err(Error::Asked(format!(
                 "the transfer function has {} widgets, {} pieces of ramps and windows and {} pieces of a curve; this \
@@ -90,6 +92,7 @@ impl TransferBuffers {
             source: transfer.clone(),
             emission,
             table: integral::psi_table(gpu, integral)?,
+            visible_lengths: integral::visible_lengths(gpu, integral, emission),
             widgets: {
                 set.widgets.resize(MOST_WIDGETS, Default::default());
                 gpu.uniform("widgets", &set.widgets)
@@ -160,14 +163,15 @@ impl TransferBuffers {
             .with("piece_starts", &self.piece_starts)
             .with("knots", &self.knots)
             .with("table", &self.table)
+            .with("visible_lengths", &self.visible_lengths)
     }
 }
 
 /// The curve's nodes, normalised, with their colours and extinctions; and one more at either end, so that the first and
 /// last piece are constant and reach beyond 0..1.
-fn curve_nodes(curve: &Curve, scalar: Normalisation, data_per_mesh: f64) -> Vec<(f64, [f64; 4])> {
+fn curve_nodes(curve: &Curve, scalar: Normalisation, data_per_mesh: f64, color_scale: f64) -> Vec<(f64, [f64; 4])> {
     let node = |n: &CurveNode| {
-        let [r, g, b] = n.color;
+        let [r, g, b] = n.color.map(|c| c * color_scale);
         (scalar.apply(n.scalar), [r, g, b, n.extinction * data_per_mesh])
     };
     let mut nodes: Vec<(f64, [f64; 4])> = curve.nodes.iter().map(node).collect();
