@@ -12,7 +12,8 @@ mod integrals_page;
 
 #[test]
 fn integrals_stand_in_the_order_of_their_page() {
-    let (image, rows) = integrals_page::page(Some([48, 32])).expect("a page");
+    use integrals_page::{INTEGRALS, THIN_BAND, TWO_COLORS, of_widgets, page};
+    let (image, rows) = page(THIN_BAND, &INTEGRALS, Some([48, 32])).expect("a page");
     assert_eq!([image.width, image.height], [4 * 48 + 16, 4 * 32 + 12]);
     let psnr = |name: &str| rows.iter().find(|row| row.0 == name).expect("a row").1.psnr;
     // The thin band separates them by far: a picture of the wrong integral would stand out.
@@ -21,6 +22,10 @@ fn integrals_stand_in_the_order_of_their_page() {
             assert!(psnr(exact) > psnr(crude) + 20.0, "{exact} {}, {crude} {}", psnr(exact), psnr(crude));
         }
     }
+    // Two colours within a cell separate what knows depths alone from what bounds the colour.
+    let (_, rows) = page(TWO_COLORS, &of_widgets(), Some([48, 32])).expect("a page");
+    let psnr = |name: &str| rows.iter().find(|row| row.0 == name).expect("a row").1.psnr;
+    assert!(psnr("adaptive:1e-3") > psnr("analytic") + 20.0, "{} and {}", psnr("adaptive:1e-3"), psnr("analytic"));
 }
 
 #[test]
