@@ -23,8 +23,8 @@ struct BandTotals {
     pairs: atomic<u32>,
     // Bands in one cell.
     most: atomic<u32>,
-    // Largest optical depth that a ray may find in a cell, as bits.
-    deepest: atomic<u32>,
+    // Deep cells.
+    deep: atomic<u32>,
 }
 
 // Off: every cell of non-zero volume is a candidate.
@@ -55,7 +55,7 @@ fn curve_bound(low: f32, high: f32) -> f32 {
 }
 
 // The bands over scalars in [low, high], without what is transparent below and above.
-fn bands_between(low: f32, high: f32) -> u32 {
+fn bands_between(low: f32, high: f32, is_deep: bool) -> u32 {
     var first = piece_starts[u32(low * 256.0)].x;
     while first + 1u < PIECES && nodes[first + 1u].x <= low {
         first++;
@@ -71,7 +71,7 @@ fn bands_between(low: f32, high: f32) -> u32 {
     while seen.y > seen.x + 1u && transparent(seen.y - 1u) {
         seen.y--;
     }
-    return packed_bands(seen.x, min(seen.y - seen.x, 255u), seen.x == first, seen.y == end);
+    return packed_bands(seen.x, min(seen.y - seen.x, 255u), seen.x == first, seen.y == end, is_deep);
 }
 
 fn transparent(piece: u32) -> bool {
@@ -226,16 +226,19 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     }
     workgroupBarrier();
     if i < range.tet_count && volumes[i] != 0.0 {
-        if !CULL || depth_bound(tets[i]) > INVISIBLE {
+        let depth = depth_bound(tets[i]);
+        if !CULL || depth > INVISIBLE {
             atomicOr(&block_flags[lane >> 5u], 1u << (i & 31u));
             if PIECES > 0u {
                 let scalars = scalar_range(tets[i]);
-                let bands = bands_between(scalars.x, scalars.y);
+                let bands = bands_between(scalars.x, scalars.y, depth > THIN);
                 cell_bands[i] = bands;
                 atomicAdd(&band_totals.bands, band_count(bands));
                 atomicAdd(&band_totals.pairs, (band_count(bands) + 1u) >> 1u);
                 atomicMax(&band_totals.most, band_count(bands));
-                atomicMax(&band_totals.deepest, bitcast<u32>(depth_bound(tets[i])));
+                if depth > THIN {
+                    atomicAdd(&band_totals.deep, 1u);
+                }
                 if band_count(bands) > 1u {
                     atomicOr(&block_banded[lane >> 5u], 1u << (i & 31u));
                 }

@@ -12,7 +12,6 @@
 @group(3) @binding(4) var<storage, read_write> order: array<u32>;
 
 @group(3) @binding(5) var<storage, read> cell_bands: array<u32>; // of the range
-@group(3) @binding(6) var<storage, read> banded: array<u32>; // one bit a cell of the range: it has several bands
 @group(3) @binding(7) var<storage, read> word_offsets: array<u32>; // of each word of survivors: what is drawn before it in its block
 
 // Bits that sort floats descending.
@@ -38,14 +37,18 @@ fn main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) group
         let key = far_first(dot(frame.forward, sum) * 0.25);
         let cell = range.first_tet + i;
         keys[rank] = key;
-        order[rank] = select(cell, cell << SPAN_BITS, BANDS);
+        if !BANDS {
+            order[rank] = cell;
+            rank++;
+            continue;
+        }
+        let bands = cell_bands[i];
+        order[rank] = span_of(cell, bands, 0u);
         rank++;
-        if BANDS && (banded[word] & (rest & (~rest + 1u))) != 0u {
-            for (var k = 1u; k < span_count(cell_bands[i]); k++) {
-                keys[rank] = key;
-                order[rank] = cell << SPAN_BITS | k;
-                rank++;
-            }
+        for (var k = 1u; k < span_count(bands); k++) {
+            keys[rank] = key;
+            order[rank] = span_of(cell, bands, k);
+            rank++;
         }
     }
 }

@@ -217,7 +217,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     var span = 0u;
     if BANDS {
         let bands = cell_bands[cell];
-        let index = span_index(entry & ((1u << SPAN_BITS) - 1u), bands, mu, scalars);
+        let index = span_index(entry & (DEEP_SPAN - 1u), bands, mu, scalars);
         let piece = first_band(bands) + BANDS_PER_SPAN * index;
         let is_last = index + 1u == span_count(bands);
         span = piece * 8u + select(0u, 1u, index == 0u && band_reaches_low(bands))

@@ -69,7 +69,7 @@ fn hosts() -> Vec<Host> {
         host!(SegmentCase { front, back, extent, first_widget, widget_count, pad }),
         host!(SegmentResult { color, pieces, pad_a, pad_b, pad_c }),
         host!(Piece { origin, slope }),
-        host!(BandTotals { bands, pairs, most, deepest }),
+        host!(BandTotals { bands, pairs, most, deep }),
         host!(Chunk { first_cell, cells, pad_a, pad_b }),
     ]
 }

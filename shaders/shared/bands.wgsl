@@ -9,18 +9,28 @@
 // Colour and extinction there.
 @group(2) @binding(4) var<uniform> node_values: array<vec4f, 1025>;
 
-// On: cells are drawn span by span. Then orders hold spans: a cell << SPAN_BITS, and the span's rank from behind.
+// On: cells are drawn span by span. Then orders hold spans: a cell << SPAN_BITS, DEEP_SPAN if the cell is deep, and the
+// span's rank from behind.
 override BANDS: bool = false;
 // On: a span is a pair of bands, the last one of a cell perhaps alone; off: it is one.
 override PAIRED: bool = false;
-// On: some cell has an end depth above 1.
+// On: some span may be of a deep cell.
 override DEEP: bool = true;
 const SPAN_BITS: u32 = 6u;
+const DEEP_SPAN: u32 = 32u;
+// Up to this depth, at either end's extinction, a part is integrated in one step; deep is what may be beyond.
+const THIN: f32 = 1.0;
 
-// The bands of a cell in one word: the lowest piece that it reaches visibly, how many it reaches, and whether these hold
-// all that lies below and above in the cell: there, rounding must not clip.
-fn packed_bands(first: u32, count: u32, reaches_low: bool, reaches_high: bool) -> u32 {
-    return first | count << 16u | select(0u, 1u, reaches_low) << 24u | select(0u, 1u, reaches_high) << 25u;
+// The bands of a cell in one word: the lowest piece that it reaches visibly, how many it reaches, whether these hold
+// all that lies below and above in the cell (there, rounding must not clip), and whether it is deep.
+fn packed_bands(first: u32, count: u32, reaches_low: bool, reaches_high: bool, is_deep: bool) -> u32 {
+    return first | count << 16u | select(0u, 1u, reaches_low) << 24u | select(0u, 1u, reaches_high) << 25u
+        | select(0u, 1u, is_deep) << 26u;
+}
+
+// A span of a cell, as orders hold it.
+fn span_of(cell: u32, bands: u32, rank: u32) -> u32 {
+    return cell << SPAN_BITS | select(0u, DEEP_SPAN, (bands & 0x4000000u) != 0u) | rank;
 }
 
 fn first_band(bands: u32) -> u32 {
@@ -175,5 +185,5 @@ fn step_part(a: f32, b: f32) -> f32 {
     let halvings_a = i32(bitcast<u32>(4.0 * a) >> 23u) - 127;
     let halvings_b = (i32(bitcast<u32>(4.0 * b) >> 23u) - 126) >> 1u;
     let part = bitcast<f32>(u32(127 - max(max(halvings_a, halvings_b), 1)) << 23u);
-    return select(part, 1.0, a <= 1.0 && b <= 1.0);
+    return select(part, 1.0, a <= THIN && b <= THIN);
 }

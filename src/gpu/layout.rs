@@ -133,7 +133,7 @@ pub struct BandTotals {
     pub bands: u32,
     pub pairs: u32,
     pub most: u32,
-    pub deepest: u32,
+    pub deep: u32,
 }
 
 /// `project.wgsl`.

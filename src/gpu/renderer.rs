@@ -13,7 +13,7 @@ use crate::gpu::record::{Recorder, Work};
 use crate::gpu::scene::{self, GUARD, SceneKernels, Spans, Variant};
 use crate::gpu::slabs::{MOST_LAYERS, Slabs};
 use crate::gpu::sort;
-use crate::gpu::store::{Pieces, SPAN_BITS, Store};
+use crate::gpu::store::{DEEP_SPAN, Pieces, SPAN_BITS, Store};
 use crate::gpu::target::Target;
 use crate::gpu::transfer::TransferBuffers;
 use crate::plan::near::{self, NearCut};
@@ -26,10 +26,6 @@ use crate::tet::TetMesh;
 /// Nothing in front of what lies behind.
 const EMPTY: wgpu::LoadOp<wgpu::Color> = wgpu::LoadOp::Clear(wgpu::Color { r: 0.0, g: 0.0, b: 0.0, a: 1.0 });
 const ZERO: wgpu::LoadOp<wgpu::Color> = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
-
-/// Up to this optical depth, at either end's extinction, a piece is integrated in one step (`math/optics.wgsl`,
-/// `thin_weights`).
-const THIN: f32 = 1.0;
 
 /// Pairs of bands are drawn instead of bands where there are so many times as many of these: fewer spans, each of which
 /// costs more a fragment. On lavapipe as many bands as pairs (a linear function) took 0.95 times as long a frame, 1.4 times
@@ -101,7 +97,7 @@ impl GpuRenderer {
         let mut order: Vec<u32> = self.gpu.read(&cells.order, survivors * 4)?;
         if self.scene.as_ref().is_some_and(|s| s.spans.is_some()) {
             // A cell is where its first span is.
-            order.retain(|span| span % (1 << SPAN_BITS) == 0);
+            order.retain(|span| span % DEEP_SPAN == 0);
             order.iter_mut().for_each(|span| *span >>= SPAN_BITS);
         }
         Ok(order)
@@ -161,8 +157,6 @@ impl GpuRenderer {
             let paired = f64::from(totals.bands) > PAIRS_PAY * f64::from(totals.pairs);
             let in_spans = Spans::of(totals, paired);
             spans = self.store.holds_spans(in_spans.count.into(), in_spans.most).then_some(in_spans);
-            let deep = f32::from_bits(totals.deepest) > THIN;
-            extra.push(("DEEP", f64::from(u8::from(deep))));
         }
         self.scene = Some(SceneKernels::new(&self.gpu, transfer, variant, self.f16, candidates, spans, &extra)?);
         Ok(())
@@ -244,11 +238,11 @@ impl GpuRenderer {
         self.gpu.queue.write_buffer(&self.light, 0, bytemuck::bytes_of(&light));
         let has_viewport = frame.size.iter().all(|&n| n <= self.gpu.device.limits().max_texture_dimension_2d / 2);
         let clipped = !has_viewport || pieces.is_some() || !frame::lies_within(frame, &self.mesh, GUARD, LONGEST_HAIR);
-        self.scene.as_mut().ok_or_else(unprepared)?.need_raster(&self.gpu, clipped)?;
+        self.need_raster(clipped)?;
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let all = self.resources(&scene.transfer);
         let mut recorder = Recorder::new(&self.gpu, timed);
-        let survivors = self.sort_cells(&mut recorder, &all, pieces, uniform.vertex_count)?;
+        let order = self.sort_cells(&mut recorder, &all, pieces, uniform.vertex_count)?;
         let mut notes = Vec::new();
         if let Some(p) = pieces {
             notes.push(format!("cells near the eye were cut: {} pieces of them are drawn instead", p.range.count));
@@ -256,12 +250,12 @@ impl GpuRenderer {
         let passes = if self.f16 {
             let (slabs, passes) = self.raster_slabs(recorder, clipped, timed)?;
             self.slabs = slabs;
-            let cells = survivors.unwrap_or(u32::MAX);
+            let cells = order.map_or(u32::MAX, |order| order.len() as u32);
             let count = self.slabs.ranges(cells).len();
             notes.push(format!("blended in f16, in {count} slabs of at most {MOST_LAYERS} layers"));
             passes
         } else {
-            self.raster(&mut recorder, &all, clipped, survivors, survivors.unwrap_or(uniform.most_drawn))?;
+            self.raster(&mut recorder, &all, clipped, order.as_deref(), uniform.most_drawn)?;
             recorder.finish()?
         };
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
@@ -270,14 +264,27 @@ impl GpuRenderer {
         Ok(Drawn { stats, pieces })
     }
 
-    /// Projects vertices, drops cells outside the picture, lists and sorts the others; their number where it is known.
+    /// Makes the raster passes of this frame: without the steps that deep cells take, where some draws have none.
+    fn need_raster(&mut self, clipped: bool) -> Result<()> {
+        let scene = self.scene.as_mut().ok_or_else(unprepared)?;
+        let has_deep = scene.spans.is_none_or(|spans| spans.deep);
+        if has_deep {
+            scene.need_raster(&self.gpu, clipped, true)?;
+        }
+        if !has_deep || (scene.spans.is_some() && !self.f16 && self.store.sorter.sorts_on_host()) {
+            scene.need_raster(&self.gpu, clipped, false)?;
+        }
+        Ok(())
+    }
+
+    /// Projects vertices, drops cells outside the picture, lists and sorts the others; the order where it is known.
     fn sort_cells(
         &self,
         recorder: &mut Recorder<'_>,
         all: &Resources<'_>,
         pieces: Option<Pieces>,
         vertices: u32,
-    ) -> Result<Option<u32>> {
+    ) -> Result<Option<Vec<u32>>> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let gpu = &self.gpu;
         recorder.compute(&scene.vertices, &scene.vertices.bind(gpu, all)?, Work::Items(vertices))?;
@@ -296,26 +303,29 @@ impl GpuRenderer {
         self.store.sorter.sort(gpu, recorder, &cells.counts, &cells.keys, &cells.order)
     }
 
-    /// Projects and blends the sorted cells or bands (`most` at most; `known` where the host knows how many) in f32, chunk
-    /// by chunk, and finishes the picture.
+    /// Projects and blends the sorted cells or spans (`order` where the host knows it, else `most` at most) in f32, chunk by
+    /// chunk, and finishes the picture.
     fn raster(
         &self,
         recorder: &mut Recorder<'_>,
         all: &Resources<'_>,
         clipped: bool,
-        known: Option<u32>,
+        order: Option<&[u32]>,
         most: u32,
     ) -> Result<()> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let target = self.target.as_ref().ok_or_else(unprepared)?;
         let (gpu, store) = (&self.gpu, &self.store);
-        let raster = scene.raster(clipped).ok_or_else(unprepared)?;
-        let raster_groups = raster.bind(gpu, all)?;
+        let all_deep = scene.spans.is_none_or(|spans| spans.deep);
+        let raster = |deep| scene.raster(clipped, deep).ok_or_else(unprepared);
+        // The variants bind alike.
+        let raster_groups = raster(all_deep)?.bind(gpu, all)?;
         let mut load = EMPTY;
+        let most = order.map_or(most, |order| order.len() as u32);
         for chunk in 0..most.max(1).div_ceil(store.chunk_cells) {
             self.project_chunk(recorder, all, chunk)?;
-            let mut draw = |range: Option<std::ops::Range<u32>>| {
-                recorder.draw(raster, &raster_groups, &[(&target.blended, load)], |pass| {
+            let mut draw = |range: Option<std::ops::Range<u32>>, deep: bool| {
+                recorder.draw(raster(deep)?, &raster_groups, &[(&target.blended, load)], |pass| {
                     self.set_viewport(pass, clipped);
                     pass.set_index_buffer(store.indices.slice(..), wgpu::IndexFormat::Uint32);
                     pass.set_vertex_buffer(0, store.cells.corners.slice(..));
@@ -327,14 +337,18 @@ impl GpuRenderer {
                 load = wgpu::LoadOp::Load;
                 Ok(())
             };
-            match known {
-                None => draw(None)?,
-                Some(survivors) => {
-                    let cells = store.chunk_cells.min(survivors - chunk * store.chunk_cells);
-                    let most = if gpu.is_software() { SOFTWARE_DRAW } else { cells.max(1) };
+            match order {
+                None => draw(None, all_deep)?,
+                Some(order) => {
+                    let start = chunk * store.chunk_cells;
+                    let cells = store.chunk_cells.min(most - start);
+                    let at_once = if gpu.is_software() { SOFTWARE_DRAW } else { cells.max(1) };
                     // Once at least: the first draw clears.
-                    for first in (0..cells.max(1)).step_by(most as usize) {
-                        draw(Some(first..cells.min(first + most)))?;
+                    for first in (0..cells.max(1)).step_by(at_once as usize) {
+                        let drawn = first..cells.min(first + at_once);
+                        let spans = &order[(start + drawn.start) as usize..(start + drawn.end) as usize];
+                        let deep = scene.spans.is_none() || spans.iter().any(|span| span & DEEP_SPAN != 0);
+                        draw(Some(drawn), deep)?;
                     }
                 }
             }
@@ -405,7 +419,8 @@ impl GpuRenderer {
         let (gpu, store) = (&self.gpu, &self.store);
         let (Some(kernels), Some(slab_target)) = (&scene.slabs, &target.slabs) else { return Err(unprepared()) };
         let all = self.resources(&scene.transfer);
-        let raster = scene.raster(clipped).ok_or_else(unprepared)?;
+        let deep = scene.spans.is_none_or(|spans| spans.deep);
+        let raster = scene.raster(clipped, deep).ok_or_else(unprepared)?;
         let raster_groups = raster.bind(gpu, &all)?;
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
         let most_layers = gpu.buffer("most_layers", 4, usage);

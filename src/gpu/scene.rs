@@ -39,7 +39,7 @@ pub struct SceneKernels {
     /// Corners of a chunk.
     pub project: Kernel,
     /// Draws a chunk.
-    raster: [Option<DrawKernel>; 2],
+    raster: [[Option<DrawKernel>; 2]; 2],
     /// Finishes the picture.
     pub resolve: DrawKernel,
     /// f16 only.
@@ -92,13 +92,15 @@ pub struct Spans {
     pub most: u32,
     /// They are pairs of bands.
     pub paired: bool,
+    /// Some are of deep cells.
+    pub deep: bool,
 }
 
 impl Spans {
     /// Bands, or pairs of them.
     pub fn of(totals: BandTotals, paired: bool) -> Self {
         let (count, most) = if paired { (totals.pairs, totals.most.div_ceil(2)) } else { (totals.bands, totals.most) };
-        Self { count, most, paired }
+        Self { count, most, paired, deep: totals.deep > 0 }
     }
 }
 
@@ -149,7 +151,7 @@ impl SceneKernels {
             keys: gpu.kernel("keys", &constants)?,
             project: gpu.kernel("project", &constants)?,
             f16,
-            raster: [None, None],
+            raster: Default::default(),
             resolve: resolve(&constants)?,
             slabs: match f16 {
                 false => None,
@@ -172,12 +174,12 @@ impl SceneKernels {
         Ok(())
     }
 
-    /// Makes the raster pass; `clipped`: outlines may leave the viewport.
+    /// Makes the raster pass; `clipped`: outlines may leave the viewport; `deep`: spans may be of deep cells.
     ///
     /// # Errors
     /// A shader that does not compile.
-    pub fn need_raster(&mut self, gpu: &Gpu, clipped: bool) -> Result<()> {
-        if self.raster(clipped).is_some() {
+    pub fn need_raster(&mut self, gpu: &Gpu, clipped: bool, deep: bool) -> Result<()> {
+        if self.raster(clipped, deep).is_some() {
             return Ok(());
         }
         let (bivariate, in_spans) = (self.transfer.bivariate, self.spans.is_some());
@@ -198,16 +200,16 @@ impl SceneKernels {
         };
         let module = Module::new("raster")?;
         let (module, scale) = if clipped { (module.in_perspective(), 1.0) } else { (module, 1.0 / GUARD) };
-        let constants = [&self.constants[..], &[("CLIP_SCALE", scale)]].concat();
+        let constants = [&self.constants[..], &[("CLIP_SCALE", scale), ("DEEP", f64::from(u8::from(deep)))]].concat();
         let entries = [vertex.as_str(), fragment.as_str()];
         let kernel = gpu.draw_kernel(module, entries, &constants, &targets, &[Some(corners)])?;
-        self.raster[usize::from(clipped)] = Some(kernel);
+        self.raster[usize::from(clipped)][usize::from(deep)] = Some(kernel);
         Ok(())
     }
 
     /// The raster pass, after [`Self::need_raster`].
-    pub fn raster(&self, clipped: bool) -> Option<&DrawKernel> {
-        self.raster[usize::from(clipped)].as_ref()
+    pub fn raster(&self, clipped: bool, deep: bool) -> Option<&DrawKernel> {
+        self.raster[usize::from(clipped)][usize::from(deep)].as_ref()
     }
 
     /// The cull pass; `near_cut` only after [`Self::need_near_cut`].

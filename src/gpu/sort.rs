@@ -50,6 +50,11 @@ impl Sorter {
         Ok(Self { place })
     }
 
+    /// The order is known to the host.
+    pub fn sorts_on_host(&self) -> bool {
+        matches!(self.place, Place::Host { .. })
+    }
+
     /// Buffers held, by label.
     pub fn buffers(&self) -> Vec<(&'static str, &wgpu::Buffer)> {
         match &self.place {
@@ -61,7 +66,7 @@ impl Sorter {
     }
 
     /// Sorts `order` by `keys`: ascending, ties by cell. Where it sorts on the host, submits what is recorded and returns
-    /// the number of cells.
+    /// the sorted order.
     ///
     /// # Errors
     /// A lost device.
@@ -72,7 +77,7 @@ impl Sorter {
         counts: &wgpu::Buffer,
         keys: &wgpu::Buffer,
         order: &wgpu::Buffer,
-    ) -> Result<Option<u32>> {
+    ) -> Result<Option<Vec<u32>>> {
         match &self.place {
             Place::Host { mapped } => sort_on_host(gpu, recorder, mapped, [counts, keys, order]).map(Some),
             Place::Gpu(sort) => sort.record(gpu, recorder, [counts, keys, order]).map(|()| None),
@@ -135,11 +140,11 @@ fn sort_on_host(
     recorder: &mut Recorder<'_>,
     mapped: &wgpu::Buffer,
     [counts, keys, order]: [&wgpu::Buffer; 3],
-) -> Result<u32> {
+) -> Result<Vec<u32>> {
     recorder.submit();
     let survivors = u64::from(survivors(gpu, counts)?);
     if survivors == 0 {
-        return Ok(0);
+        return Ok(Vec::new());
     }
     recorder.encoder().copy_buffer_to_buffer(keys, 0, mapped, 0, survivors * 4);
     recorder.encoder().copy_buffer_to_buffer(order, 0, mapped, survivors * 4, survivors * 4);
@@ -153,5 +158,5 @@ fn sort_on_host(
         pairs.into_iter().map(|pair| pair as u32).collect::<Vec<u32>>()
     });
     gpu.write(order, 0, bytemuck::cast_slice(&sorted));
-    Ok(survivors as u32)
+    Ok(sorted)
 }

@@ -12,8 +12,11 @@ use crate::tet::TetMesh;
 /// Parts in which the tetrahedra can be bound (`shared/tets.wgsl`).
 const PARTS: [&str; 4] = ["tets_a", "tets_b", "tets_c", "tets_d"];
 
-/// Bits of a span's rank within its cell (`shared/bands.wgsl`).
+/// Bits of a span below its cell, its rank and [`DEEP_SPAN`] (`shared/bands.wgsl`).
 pub const SPAN_BITS: u32 = 6;
+
+/// Set in spans of deep cells.
+pub const DEEP_SPAN: u32 = 32;
 
 /// Buffers of a mesh and of its cells, with room for the pieces of cells that the near plane cuts.
 pub struct Store {
@@ -130,7 +133,7 @@ impl Store {
 
     /// True where this many spans, at most `most` of them in one cell, can be drawn.
     pub fn holds_spans(&self, spans: u64, most: u32) -> bool {
-        spans <= u64::from(self.most_drawn) && most <= 1 << SPAN_BITS && self.capacity <= 1 << (32 - SPAN_BITS)
+        spans <= u64::from(self.most_drawn) && most <= DEEP_SPAN && self.capacity <= 1 << (32 - SPAN_BITS)
     }
 
     /// Puts the near plane's pieces behind the mesh. They must fit.
