@@ -50,15 +50,14 @@ const GAP: u32 = 4;
 /// What differences are multiplied by.
 const SCALE: f32 = 16.0;
 
-/// The picture, and the table's rows: integral, and how far its picture is from the reference.
+/// An integral's row: its name, what it draws beside 16 times the difference to the reference, and how far that is.
+pub type Row = (&'static str, Image, Comparison);
+
+/// Rows of integrals on one scene.
 ///
 /// # Errors
 /// Files that cannot be read, no graphics device.
-pub fn page(
-    scene: &str,
-    integrals: &[&'static str],
-    size: Option<[u32; 2]>,
-) -> Result<(Image, Vec<(&'static str, Comparison)>)> {
+pub fn rows(scene: &str, integrals: &[&'static str], size: Option<[u32; 2]>) -> Result<Vec<Row>> {
     let mut more = Vec::new();
     if let Some([width, height]) = size {
         more = vec![set("image.width", &width.to_string()), set("image.height", &height.to_string())];
@@ -71,27 +70,25 @@ pub fn page(
     let frame = Frame { camera: &camera, transfer: &transfer, optics: &scene.optics, size: scene.size, background };
     let keys: Vec<f64> = centroid_depth(&mesh, &camera);
     let want = Oracle::new(Arc::clone(&mesh)).render_in_order(&frame, &keys)?;
-    let mut rows = Vec::new();
-    let mut columns = [Vec::new(), Vec::new()];
-    for (i, &name) in integrals.iter().enumerate() {
+    let row = |&name: &&'static str| {
         let integral: SegmentIntegral = name.parse()?;
         let settings = Settings { integral, ..Settings::default() };
         let mut renderer = GpuRenderer::new(Gpu::new(DeviceChoice::Any)?, Arc::clone(&mesh), settings)?;
         let got = renderer.render(&frame, false)?.image;
         let comparison = Comparison::new(&got, &want)?;
-        let pair = beside(&[got, comparison.difference_picture(SCALE)], GAP)?;
-        columns[i / integrals.len().div_ceil(2)].push(pair);
-        rows.push((name, comparison));
-    }
-    // An odd number leaves a place empty.
-    if let ([left, right], Some(first)) = (&columns, columns[0].first())
-        && left.len() > right.len()
-    {
-        let blank = Image { pixels: vec![[1.0; 4]; first.pixels.len()], ..first.clone() };
-        columns[1].push(blank);
-    }
-    let sheet = beside(&columns.map(|pairs| stack(&pairs)), 2 * GAP)?;
-    Ok((sheet, rows))
+        Ok((name, beside(&[got, comparison.difference_picture(SCALE)], GAP)?, comparison))
+    };
+    integrals.iter().map(row).collect()
+}
+
+/// The pictures of an even number of rows in two columns.
+///
+/// # Errors
+/// Pictures of different sizes.
+pub fn sheet(rows: &[Row]) -> Result<Image> {
+    let pictures: Vec<Image> = rows.iter().map(|row| row.1.clone()).collect();
+    let (left, right) = pictures.split_at(rows.len() / 2);
+    beside(&[stack(left), stack(right)], 2 * GAP)
 }
 
 /// Pictures of one width below each other.
@@ -116,17 +113,16 @@ fn main() -> Result<()> {
         size.ok_or_else(|| Error::Asked(format!("'{text}' is no size as 240x160")))
     });
     let size = size.transpose()?;
-    let (image, rows) = page(THIN_BAND, &INTEGRALS, size)?;
-    image.write(output.as_ref(), PngEncoding::Srgb)?;
-    print(&rows);
-    let (_, rows) = page(TWO_COLORS, &of_widgets(), size)?;
-    print(&rows);
+    let thin_band = rows(THIN_BAND, &INTEGRALS, size)?;
+    sheet(&thin_band)?.write(output.as_ref(), PngEncoding::Srgb)?;
+    print(&thin_band);
+    print(&rows(TWO_COLORS, &of_widgets(), size)?);
     Ok(())
 }
 
-fn print(rows: &[(&str, Comparison)]) {
+fn print(rows: &[Row]) {
     println!("\n| integral | PSNR, dB | 99.9th percentile | largest |\n| --- | --- | --- | --- |");
-    for (name, c) in rows {
+    for (name, _, c) in rows {
         println!("| `{name}` | {:.1} | {:.1e} | {:.1e} |", c.psnr, c.percentile_99_9, c.max);
     }
 }

@@ -15,7 +15,6 @@
 // The bands of each cell of the range that is a candidate (curves only).
 @group(3) @binding(2) var<storage, read_write> cell_bands: array<u32>;
 @group(3) @binding(3) var<storage, read_write> band_totals: BandTotals;
-@group(3) @binding(4) var<storage, read_write> banded: array<u32>; // one bit a cell of the range: it has several bands
 
 struct BandTotals {
     bands: atomic<u32>,
@@ -34,7 +33,6 @@ override CULL: bool = true;
 const INVISIBLE: f32 = 1e-9;
 
 var<workgroup> block_flags: array<atomic<u32>, 8>;
-var<workgroup> block_banded: array<atomic<u32>, 8>;
 
 // Largest extinction over scalars in [low, high].
 fn curve_bound(low: f32, high: f32) -> f32 {
@@ -222,7 +220,6 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     let i = block * 256u + lane;
     if lane < 8u {
         atomicStore(&block_flags[lane], 0u);
-        atomicStore(&block_banded[lane], 0u);
     }
     workgroupBarrier();
     if i < range.tet_count && volumes[i] != 0.0 {
@@ -239,15 +236,11 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
                 if depth > THIN {
                     atomicAdd(&band_totals.deep, 1u);
                 }
-                if band_count(bands) > 1u {
-                    atomicOr(&block_banded[lane >> 5u], 1u << (i & 31u));
-                }
             }
         }
     }
     workgroupBarrier();
     if block * 256u < range.tet_count && lane < 8u {
         candidates[block * 8u + lane] = atomicLoad(&block_flags[lane]);
-        banded[block * 8u + lane] = atomicLoad(&block_banded[lane]);
     }
 }

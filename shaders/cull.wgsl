@@ -2,7 +2,7 @@
 #import shared/range
 #import shared/bands
 
-// Marks the candidate cells that can cover a pixel's centre, and counts them, or their bands, per block of 256.
+// Marks the candidate cells that can cover a pixel's centre, and counts them, or their spans, per block of 256.
 
 @group(1) @binding(0) var<storage, read> tets: array<vec4u>; // of the range
 @group(2) @binding(0) var<storage, read> candidates: array<u32>; // one bit a cell of the range
@@ -12,7 +12,6 @@
 @group(3) @binding(4) var<storage, read_write> block_counts: array<u32>; // one a block of the range
 
 @group(3) @binding(5) var<storage, read> cell_bands: array<u32>; // of the range
-@group(3) @binding(6) var<storage, read> banded: array<u32>; // one bit a cell of the range: it has several bands
 // Of each word of survivors: the cells, or their spans, before it in its block.
 @group(3) @binding(7) var<storage, read_write> word_offsets: array<u32>;
 
@@ -56,7 +55,7 @@ fn main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) group
             if covers_a_pixel(tets[i]) {
                 flags |= bit;
                 count++;
-                if BANDS && (banded[word] & bit) != 0u {
+                if BANDS {
                     count += span_count(cell_bands[i]) - 1u;
                 }
             }

@@ -2,7 +2,7 @@
 #import shared/range
 #import shared/bands
 
-// Lists the surviving cells, or their bands, with their sort keys: the view depth of the centroid, far cells first.
+// Lists the surviving cells, or their spans, with their sort keys: the view depth of the centroid, far cells first.
 
 @group(1) @binding(0) var<storage, read> tets: array<vec4u>; // of the range
 @group(1) @binding(1) var<storage, read> vertices: array<vec4f>;
@@ -12,7 +12,8 @@
 @group(3) @binding(4) var<storage, read_write> order: array<u32>;
 
 @group(3) @binding(5) var<storage, read> cell_bands: array<u32>; // of the range
-@group(3) @binding(7) var<storage, read> word_offsets: array<u32>; // of each word of survivors: what is drawn before it in its block
+// Of each word of survivors: what is drawn before it in its block.
+@group(3) @binding(7) var<storage, read> word_offsets: array<u32>;
 
 // Bits that sort floats descending.
 fn far_first(depth: f32) -> u32 {

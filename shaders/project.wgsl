@@ -23,7 +23,7 @@
 @group(1) @binding(2) var<storage, read> gradient_vectors: array<f32>; // three a vertex; the largest has length 1
 @group(3) @binding(0) var<uniform> chunk: Chunk;
 @group(3) @binding(1) var<storage, read> counts: Counts;
-@group(3) @binding(2) var<storage, read> order: array<u32>; // cells, or bands of cells, back to front
+@group(3) @binding(2) var<storage, read> order: array<u32>; // cells, or spans of cells, back to front
 @group(3) @binding(4) var<storage, read> cell_bands: array<u32>;
 @group(3) @binding(3) var<storage, read> projected: array<vec2f>;
 // Four corners a cell; per corner: clip xy; 1/z and scalar/z; three tent functions; then, of the first corner alone, at
@@ -90,7 +90,7 @@ const SHADED_FLOATS: u32 = 6u; // more
 const HAIR: f32 = 0.0078125;
 const NO_CUT: f32 = 2.0;
 // At most: the corners of needles would be far away.
-const LONGEST_HAIR: f32 = 64.0;
+override LONGEST_HAIR: f32;
 
 struct Apex {
     thickness: f32,

@@ -140,8 +140,8 @@ fn fragment_of(corner: Corner) -> Fragment {
                     vec3f(corner.tent.z, ray(corner.clip)), corner.apex);
 }
 
-// How far a span reaches that is not clipped: no rounding goes so far.
-const UNCLIPPED: f32 = 1e6;
+// How far a span reaches that is not clipped.
+const UNCLIPPED: f32 = 1e30;
 
 @vertex
 fn vertex_band(corner: BandCorner) -> BandFragment {

@@ -12,7 +12,7 @@ use glam::DVec3;
 use tetralux::image::{Comparison, Image};
 use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
-use tetralux::renderer::{BlendFormat, Frame, Settings};
+use tetralux::renderer::{BlendFormat, Frame, Settings, SortPlace};
 use tetralux::scene::{Camera, Curve, CurveNode, Optics, Projection, TransferFunction};
 use tetralux::tet::TetMesh;
 
@@ -95,6 +95,50 @@ fn ramps_to_absurd_extinctions_end() {
             assert!(comparison.pixels_above(2e-3).count() < 60, "{comparison}");
         }
     }
+}
+
+/// From transparent to opaque within less and less of the scalar's range; `before`: another node before, which makes the
+/// step the upper band of its pair.
+#[test]
+fn steps_of_any_steepness_are_drawn() {
+    let mesh = meshes::sample(Sample::Tangle, 2_000);
+    let (range, k) = (mesh.scalar_range(), 6.0 / meshes::center_and_diagonal(&mesh).1);
+    let camera = camera(&mesh, 2.0, true);
+    for width in [1e-3, 1e-5, 1e-7, 1e-8] {
+        for before in [false, true] {
+            let middle = [(0.4, 0.0), (0.5, 0.0), (0.5 + width, k)];
+            let nodes = middle[usize::from(!before)..].iter().map(|&(x, extinction)| CurveNode {
+                scalar: range.min + x * range.length(),
+                color: [1.0, 0.5, 0.2],
+                extinction,
+            });
+            let transfer = TransferFunction::Curve(Curve { nodes: nodes.collect() });
+            let drawn = draw(&mut renderer(&mesh, Settings::default()), &camera, &transfer, SIZE);
+            assert!(drawn.stats.pipelines.contains("bands"), "{}", drawn.stats.pipelines);
+            let comparison = Comparison::new(&drawn.image, &truth(&mesh, &camera, &transfer)).expect("equal sizes");
+            println!("a step {width:.0e} wide, {before}: PSNR {:.1}, largest {:.1e}", comparison.psnr, comparison.max);
+            // Its surface is a silhouette.
+            assert!(comparison.not_finite == 0 && comparison.psnr > 70.0, "{width:e}, {before}: {comparison}");
+        }
+    }
+}
+
+/// The host knows which draws hold no deep cells; a GPU that sorts does not. Of 20,000 cells some are deep.
+#[test]
+fn draws_with_and_without_deep_cells_agree() {
+    let mesh = meshes::sample(Sample::Tangle, 20_000);
+    let k = 1.0 / meshes::center_and_diagonal(&mesh).1;
+    let transfer = curve(&mesh, [0.5 * k, 2.0 * k, 200.0 * k], [[1.0, 0.2, 0.1], [0.2, 1.0, 0.1], [0.1, 0.2, 1.0]]);
+    let camera = camera(&mesh, 2.0, true);
+    let by = |sort| {
+        let mut renderer = renderer(&mesh, Settings { sort, ..Default::default() });
+        draw(&mut renderer, &camera, &transfer, [256, 256]).image
+    };
+    let comparison = Comparison::new(&by(SortPlace::Host), &by(SortPlace::Gpu)).expect("equal sizes");
+    println!("deep and other draws: largest difference {:.1e}", comparison.max);
+    assert!(comparison.max < 1e-5, "{comparison}");
+    let want = Image { pixels: vec![[0.0; 4]; 256 * 256], width: 256, height: 256 };
+    assert!(Comparison::new(&by(SortPlace::Host), &want).expect("equal sizes").max > 0.5, "something is seen");
 }
 
 #[test]

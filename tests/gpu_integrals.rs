@@ -191,6 +191,7 @@ fn tabled_emission_glows() {
         for depth in [3.0, 300.0] {
             let widget = Widget::new(shape.clone(), [1.0, 0.6, 0.2], depth / diagonal);
             let alone = TransferFunction::Widgets(vec![widget]);
+            // Measured: 93.3 to 114.8 dB by tables, 86.5 to 112.7 by pieces.
             check(&alone, &optics, &[("analytic", 75.0, 200.0), ("adaptive", 75.0, 200.0)]);
         }
     }

@@ -12,10 +12,13 @@ mod integrals_page;
 
 #[test]
 fn integrals_stand_in_the_order_of_their_page() {
-    use integrals_page::{INTEGRALS, THIN_BAND, TWO_COLORS, of_widgets, page};
-    let (image, rows) = page(THIN_BAND, &INTEGRALS, Some([48, 32])).expect("a page");
+    use integrals_page::{INTEGRALS, Row, THIN_BAND, TWO_COLORS, of_widgets, rows, sheet};
+    let size = Some([48, 32]);
+    let thin_band = rows(THIN_BAND, &INTEGRALS, size).expect("rows");
+    let image = sheet(&thin_band).expect("a picture");
     assert_eq!([image.width, image.height], [4 * 48 + 16, 4 * 32 + 12]);
-    let psnr = |name: &str| rows.iter().find(|row| row.0 == name).expect("a row").1.psnr;
+    let find = |rows: &[Row], name: &str| rows.iter().find(|row| row.0 == name).expect("a row").2.psnr;
+    let psnr = |name: &str| find(&thin_band, name);
     // The thin band separates them by far: a picture of the wrong integral would stand out.
     for exact in ["partial", "partial-direct", "analytic", "adaptive:1e-3"] {
         for crude in ["vertex-linear", "mean-scalar"] {
@@ -23,8 +26,8 @@ fn integrals_stand_in_the_order_of_their_page() {
         }
     }
     // Two colours within a cell separate what knows depths alone from what bounds the colour.
-    let (_, rows) = page(TWO_COLORS, &of_widgets(), Some([48, 32])).expect("a page");
-    let psnr = |name: &str| rows.iter().find(|row| row.0 == name).expect("a row").1.psnr;
+    let two_colors = rows(TWO_COLORS, &of_widgets(), size).expect("rows");
+    let psnr = |name: &str| find(&two_colors, name);
     assert!(psnr("adaptive:1e-3") > psnr("analytic") + 20.0, "{} and {}", psnr("adaptive:1e-3"), psnr("analytic"));
 }
 

@@ -106,6 +106,14 @@ fn planted_errors_are_rejected() {
         let less = Budget { mean_pieces: 0.9, ..budget };
         assert!(fails(&answers, &less), "more pieces than allowed");
     }
+    // Colours over length, of unweighted emission, wrong by 6e-4.
+    let (unweighted, analytic) = (EmissionModel::Unweighted, SegmentIntegral::Analytic);
+    let budget = Budget { mean_pieces: f64::INFINITY, ..Budget::of(analytic, unweighted) };
+    let mut answers = on_device(&gpu, analytic, unweighted, &cases).expect("answers");
+    assert!(SegmentReport::new(&cases, &answers, unweighted, &budget).failures.is_empty());
+    let gaussian = cases.iter().position(|c| c.tags.contains(&"gaussian".to_owned())).expect("a case");
+    answers[gaussian].color = answers[gaussian].color.map(|c| c + 6e-4 * cases[gaussian].length);
+    assert!(!SegmentReport::new(&cases, &answers, unweighted, &budget).failures.is_empty());
     // The analytic integral's colours are within nobody's tolerance.
     let answers = on_device(&gpu, SegmentIntegral::Analytic, EmissionModel::Weighted, &cases).expect("answers");
     let budget = Budget::of(adaptive(1e-2), EmissionModel::Weighted);

@@ -16,8 +16,8 @@ override BANDS: bool = false;
 override PAIRED: bool = false;
 // On: some span may be of a deep cell.
 override DEEP: bool = true;
-const SPAN_BITS: u32 = 6u;
-const DEEP_SPAN: u32 = 32u;
+override SPAN_BITS: u32;
+override DEEP_SPAN: u32;
 // Up to this depth, at either end's extinction, a part is integrated in one step; deep is what may be beyond.
 const THIN: f32 = 1.0;
 

@@ -45,8 +45,9 @@ fn partial_curve_segment(scalars: vec2f, extent: f32) -> vec4f {
         let front = max(pieces[i].origin + (scalars.x + change * at) * pieces[i].slope, vec4f(0.0));
         let back = max(pieces[i].origin + (scalars.x + change * end) * pieces[i].slope, vec4f(0.0));
         let step = extent * (end - at);
-        let a = min(front.w * step, 1e25);
-        let b = min(back.w * step, 1e25);
+        // Squares stay finite.
+        let a = min(front.w * step, 1e15);
+        let b = min(back.w * step, 1e15);
         var weights: vec2f;
         if UNWEIGHTED {
             weights = select(vec2f(0.0), step * emission_weights(a, b), front.w + back.w > 0.0);

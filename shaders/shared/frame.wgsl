@@ -19,7 +19,7 @@ struct Frame {
     ray_per_clip_y: f32,
     // Cells that are projected at a time.
     chunk_cells: u32,
-    // At most so many cells, or bands of them, are drawn.
+    // At most so many cells, or spans of them, are drawn.
     most_drawn: u32,
     pad_a: u32,
     background: vec4f,

@@ -8,9 +8,10 @@
 // emission need none.
 @group(2) @binding(7) var<storage, read> visible_lengths: array<f32>;
 
-const TABLE_NODES = 256u;
-// Where the tables end (tables/mod.rs, MOST_STRENGTH).
-const MOST_STRENGTH = 1000.0;
+// Along an axis.
+override TABLE_NODES: u32;
+// Where the tables end.
+override MOST_STRENGTH: f32;
 
 // Cubic from 4 x 4 nodes; `across`: the second argument's position in [0, 1].
 fn visible_length(which: u32, strength: f32, across: f32) -> f32 {

@@ -23,11 +23,9 @@ pub struct CellBuffers {
     pub cell_bands: wgpu::Buffer,
     /// [`layout::BandTotals`].
     pub band_totals: wgpu::Buffer,
-    /// One bit a candidate: it has several bands.
-    pub banded: wgpu::Buffer,
     /// Cells, or their spans, before each word of `survivors` in its block.
     pub word_offsets: wgpu::Buffer,
-    /// Survivors of each block of 256 cells, or their bands.
+    /// Survivors of each block of 256 cells, or their spans.
     pub block_counts: wgpu::Buffer,
     /// Survivors before each block.
     pub block_offsets: wgpu::Buffer,
@@ -39,14 +37,14 @@ pub struct CellBuffers {
     pub projected: wgpu::Buffer,
     /// Corners of one chunk's cells.
     pub corners: wgpu::Buffer,
-    /// Sort keys of the survivors, or of their bands.
+    /// Sort keys of the survivors, or of their spans.
     pub keys: wgpu::Buffer,
-    /// The survivors or their bands, sorted back to front.
+    /// The survivors or their spans, sorted back to front.
     pub order: wgpu::Buffer,
 }
 
 impl CellBuffers {
-    /// For so many vertices and tetrahedra, of which so many cells or bands are drawn in chunks.
+    /// For so many vertices and tetrahedra, of which so many cells or spans are drawn in chunks.
     pub fn new(gpu: &Gpu, vertices: u64, tets: u64, most_drawn: u64, chunk_cells: u32) -> Self {
         let blocks = tets.div_ceil(256);
         let chunks = most_drawn.div_ceil(u64::from(chunk_cells));
@@ -59,7 +57,6 @@ impl CellBuffers {
             survivors: gpu.buffer("survivors", blocks * 32, copied),
             cell_bands: gpu.buffer("cell_bands", 16, STORAGE),
             band_totals: gpu.buffer("band_totals", 16, copied | wgpu::BufferUsages::COPY_DST),
-            banded: gpu.buffer("banded", blocks * 32, STORAGE),
             word_offsets: gpu.buffer("word_offsets", blocks * 32, STORAGE),
             block_counts: gpu.buffer("block_counts", blocks * 4, STORAGE),
             block_offsets: gpu.buffer("block_offsets", blocks * 4, STORAGE),
@@ -81,14 +78,13 @@ impl CellBuffers {
     }
 
     /// Labels and buffers, for the report.
-    pub fn list(&self) -> [(&'static str, &wgpu::Buffer); 15] {
+    pub fn list(&self) -> [(&'static str, &wgpu::Buffer); 14] {
         [
             ("candidates", &self.candidates),
             ("clipped", &self.clipped),
             ("survivors", &self.survivors),
             ("cell_bands", &self.cell_bands),
             ("band_totals", &self.band_totals),
-            ("banded", &self.banded),
             ("word_offsets", &self.word_offsets),
             ("block_counts", &self.block_counts),
             ("block_offsets", &self.block_offsets),

@@ -5,7 +5,7 @@ use crate::gpu::device::{Gpu, Resources};
 use crate::gpu::record::{Recorder, Work};
 use crate::renderer::SegmentIntegral;
 use crate::scene::{EmissionModel, TransferFunction};
-use crate::tables::Kind;
+use crate::tables::{Kind, MOST_STRENGTH, NODES};
 
 /// Lengths of the table of `preintegrated` (`shared/curves.wgsl`).
 const LENGTHS: u32 = 32;
@@ -23,6 +23,8 @@ pub fn constants(integral: SegmentIntegral, emission: EmissionModel) -> Vec<(&'s
         SegmentIntegral::Partial { size } => vec![number(5), ("TABLE_SIZE", f64::from(size))],
         SegmentIntegral::PreIntegrated { size } => vec![number(6), ("TABLE_SIZE", f64::from(size))],
     };
+    constants.push(("TABLE_NODES", NODES as f64));
+    constants.push(("MOST_STRENGTH", MOST_STRENGTH));
     constants.push(("UNWEIGHTED", f64::from(u8::from(emission == EmissionModel::Unweighted))));
     constants
 }

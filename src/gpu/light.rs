@@ -26,7 +26,7 @@ impl Shading {
     }
 
     /// Whether a segment may be integrated part by part: factors on the opacity of the whole do not allow it.
-    pub fn allows_bands(self) -> bool {
+    pub fn allows_spans(self) -> bool {
         self.outline != Some(SilhouetteMode::Opacity)
     }
 

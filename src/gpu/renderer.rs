@@ -10,7 +10,7 @@ use crate::gpu::layout;
 use crate::gpu::light::{self, Shading};
 use crate::gpu::mesh::TetRange;
 use crate::gpu::record::{Recorder, Work};
-use crate::gpu::scene::{self, GUARD, SceneKernels, Spans, Variant};
+use crate::gpu::scene::{self, GUARD, LONGEST_HAIR, SceneKernels, Spans, Variant};
 use crate::gpu::slabs::{MOST_LAYERS, Slabs};
 use crate::gpu::sort;
 use crate::gpu::store::{DEEP_SPAN, Pieces, SPAN_BITS, Store};
@@ -31,9 +31,6 @@ const ZERO: wgpu::LoadOp<wgpu::Color> = wgpu::LoadOp::Clear(wgpu::Color::TRANSPA
 /// costs more a fragment. On lavapipe as many bands as pairs (a linear function) took 0.95 times as long a frame, 1.4 times
 /// as many (584,000 cells) 1.3 times.
 const PAIRS_PAY: f64 = 1.1;
-
-/// By how many pixels an outline may be drawn too large (`project.wgsl`).
-const LONGEST_HAIR: f64 = 64.0;
 
 /// Cells of one draw on a software adapter: lavapipe bins a draw's triangles, at 300 bytes each, before it shades them,
 /// and these fit the caches. 16,384 took 1.25 times as long a frame (584,000 cells), 1,024 as long for its passes.
@@ -114,13 +111,13 @@ impl GpuRenderer {
         self.make_scene(transfer, emission, variant, true)
     }
 
-    /// `in_bands`: draw cells band by band where that is possible.
+    /// `in_spans`: draw cells span by span where that is possible.
     fn make_scene(
         &mut self,
         transfer: &TransferFunction,
         emission: EmissionModel,
         variant: Variant,
-        in_bands: bool,
+        in_spans: bool,
     ) -> Result<()> {
         let m = &self.store.mesh;
         let transfer = TransferBuffers::new(
@@ -151,12 +148,12 @@ impl GpuRenderer {
         let mut spans = None;
         // Spans are drawn by the exact integral.
         let exact = matches!(self.settings.integral, SegmentIntegral::Analytic | SegmentIntegral::Adaptive { .. });
-        let in_bands = in_bands && emission == EmissionModel::Weighted;
-        if curve && in_bands && exact && variant.shading.allows_bands() {
+        let in_spans = in_spans && emission == EmissionModel::Weighted;
+        if curve && in_spans && exact && variant.shading.allows_spans() {
             let totals = self.band_totals()?;
-            let paired = f64::from(totals.bands) > PAIRS_PAY * f64::from(totals.pairs);
-            let in_spans = Spans::of(totals, paired);
-            spans = self.store.holds_spans(in_spans.count.into(), in_spans.most).then_some(in_spans);
+            let pays = f64::from(totals.bands) > PAIRS_PAY * f64::from(totals.pairs);
+            let fits = |spans: &Spans| self.store.holds_spans(spans.count.into(), spans.most);
+            spans = [pays, true].map(|paired| Spans::of(totals, paired)).into_iter().find(fits);
         }
         self.scene = Some(SceneKernels::new(&self.gpu, transfer, variant, self.f16, candidates, spans, &extra)?);
         Ok(())
@@ -259,7 +256,9 @@ impl GpuRenderer {
             recorder.finish()?
         };
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
-        let pipelines = scene.transfer.describe(self.settings.integral, scene.spans.map(|s| s.paired));
+        let interpolation = if clipped { "in perspective, as outlines may be clipped" } else { "linearly" };
+        let kind = scene.transfer.describe(self.settings.integral, scene.spans.map(|s| s.paired));
+        let pipelines = format!("{kind}; values are interpolated {interpolation}");
         let stats = Stats { passes, notes, pipelines, adapter: self.gpu.describe(), ..Default::default() };
         Ok(Drawn { stats, pieces })
     }
@@ -347,7 +346,8 @@ impl GpuRenderer {
                     for first in (0..cells.max(1)).step_by(at_once as usize) {
                         let drawn = first..cells.min(first + at_once);
                         let spans = &order[(start + drawn.start) as usize..(start + drawn.end) as usize];
-                        let deep = scene.spans.is_none() || spans.iter().any(|span| span & DEEP_SPAN != 0);
+                        let deep =
+                            all_deep && (scene.spans.is_none() || spans.iter().any(|span| span & DEEP_SPAN != 0));
                         draw(Some(drawn), deep)?;
                     }
                 }

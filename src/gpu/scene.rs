@@ -76,6 +76,9 @@ const ADD: wgpu::BlendComponent = wgpu::BlendComponent {
     operation: wgpu::BlendOperation::Add,
 };
 
+/// By how many pixels an outline may be drawn too large, so that each edge moves out by a hair.
+pub const LONGEST_HAIR: f64 = 64.0;
+
 /// How much larger the viewport is than the picture where outlines are not to be clipped.
 pub const GUARD: f64 = 2.0;
 
@@ -113,8 +116,8 @@ pub fn candidates(gpu: &Gpu, transfer: &TransferBuffers, extra: &[(&'static str,
 }
 
 impl SceneKernels {
-    /// Compiles. `f16`: blend into rgba16float and count layers; `candidates`: see [`candidates`]; `spans`: what is drawn instead of cells;
-    /// `extra`: constants of the renderer.
+    /// Compiles. `f16`: blend into rgba16float and count layers; `candidates`: see [`candidates`]; `spans`: what is drawn
+    /// instead of cells; `extra`: constants of the renderer.
     ///
     /// # Errors
     /// A shader that does not compile.
@@ -133,6 +136,7 @@ impl SceneKernels {
         constants.push(("PERSPECTIVE", flag(variant.perspective)));
         constants.extend_from_slice(&variant.shading.constants());
         constants.push(("BANDS", flag(spans.is_some())));
+        constants.push(("LONGEST_HAIR", LONGEST_HAIR));
         constants.push(("PAIRED", flag(spans.is_some_and(|s| s.paired))));
         let slab_constants = [&constants[..], &[("SLAB", 1.0)]].concat();
         let full = ["vertex", "fragment"];
@@ -219,10 +223,10 @@ impl SceneKernels {
 }
 
 /// What `project` writes of a corner, in order.
-fn corner_attributes(bivariate: bool, bands: bool, shaded: bool) -> Vec<wgpu::VertexAttribute> {
+fn corner_attributes(bivariate: bool, in_spans: bool, shaded: bool) -> Vec<wgpu::VertexAttribute> {
     use wgpu::VertexFormat::{Float32x2, Float32x3};
     let mut formats = vec![(0, Float32x2), (1, Float32x2), (2, Float32x3)];
-    match (bivariate, bands) {
+    match (bivariate, in_spans) {
         (true, _) => formats.extend([(3, Float32x2), (4, Float32x2)]),
         (false, true) => formats.push((3, Float32x3)),
         (false, false) => formats.push((3, Float32x2)),
@@ -240,8 +244,8 @@ fn corner_attributes(bivariate: bool, bands: bool, shaded: bool) -> Vec<wgpu::Ve
 }
 
 /// Entry points of `raster`.
-fn raster_entries(bivariate: bool, bands: bool, shaded: bool, counted: bool) -> [String; 2] {
-    let kind = match (bivariate, bands) {
+fn raster_entries(bivariate: bool, in_spans: bool, shaded: bool, counted: bool) -> [String; 2] {
+    let kind = match (bivariate, in_spans) {
         (true, _) => "_bivariate",
         (false, true) => "_band",
         (false, false) => "",

@@ -192,7 +192,6 @@ impl Store {
             .with_part("volumes", &b.volumes, first * 4, count * 4)
             .with_part("candidates", &c.candidates, first / 8, blocks * 32)
             .with_part("survivors", &c.survivors, first / 8, blocks * 32)
-            .with_part("banded", &c.banded, first / 8, blocks * 32)
             .with_part("word_offsets", &c.word_offsets, first / 8, blocks * 32)
             .with_part("block_counts", &c.block_counts, first / 64, blocks * 4)
             .with_part("block_offsets", &c.block_offsets, first / 64, blocks * 4)

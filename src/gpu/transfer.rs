@@ -5,6 +5,7 @@ use crate::gpu::device::{Gpu, Resources};
 use crate::gpu::integral;
 use crate::gpu::layout::Piece;
 use crate::gpu::mesh::Normalisation;
+use crate::gpu::store::{DEEP_SPAN, SPAN_BITS};
 use crate::gpu::widgets::{Axes, MOST_KNOT_PIECES, MOST_WIDGETS, WidgetSet};
 use crate::renderer::SegmentIntegral;
 use crate::scene::{Curve, CurveNode, EmissionModel, TransferFunction};
@@ -86,6 +87,8 @@ impl TransferBuffers {
         let mut constants = set.constants();
         constants.push(("WIDGETS", set.widgets.len() as f64));
         constants.push(("PIECES", pieces.len() as f64));
+        constants.push(("SPAN_BITS", f64::from(SPAN_BITS)));
+        constants.push(("DEEP_SPAN", f64::from(DEEP_SPAN)));
         constants.extend(integral::constants(integral, emission));
         let bivariate = set.bivariate();
         let mut buffers = Self {
@@ -101,7 +104,7 @@ impl TransferBuffers {
                 pieces.resize(MOST_PIECES, Piece::default());
                 gpu.uniform("pieces", &pieces)
             },
-            nodes: gpu.uniform("nodes", &padded(places.iter().map(|&n| [n as f32, 0.0, 0.0, 0.0]).collect())),
+            nodes: gpu.uniform("nodes", &padded(apart(&places).map(|n| [n, 0.0, 0.0, 0.0]).collect())),
             node_values: gpu.uniform("node_values", &padded(nodes.iter().map(|n| n.1.map(|v| v as f32)).collect())),
             piece_starts: gpu.uniform("piece_starts", &piece_starts(&places)),
             knots: {
@@ -180,6 +183,16 @@ fn curve_nodes(curve: &Curve, scalar: Normalisation, data_per_mesh: f64, color_s
         nodes.push((last.0.max(1.0) + 1.0, last.1));
     }
     nodes
+}
+
+/// Places in f32, each above the one before: bands have a width.
+fn apart(places: &[f64]) -> impl Iterator<Item = f32> {
+    // What f32 tells apart up to 1.
+    const LEAST: f32 = f32::EPSILON;
+    places.iter().scan(f32::NEG_INFINITY, |before, &place| {
+        *before = (place as f32).max(*before + LEAST).max(before.next_up());
+        Some(*before)
+    })
 }
 
 fn piece((from, low): (f64, [f64; 4]), (to, high): (f64, [f64; 4])) -> Piece {

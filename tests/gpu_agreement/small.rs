@@ -113,14 +113,26 @@ fn agrees_from(
     own_order: bool,
     cameras: &[Camera],
 ) -> bool {
+    agrees_at(mesh, what, transfer, limits, own_order, cameras, SIZE)
+}
+
+fn agrees_at(
+    mesh: &Arc<TetMesh>,
+    what: &str,
+    transfer: &TransferFunction,
+    limits: Limits,
+    own_order: bool,
+    cameras: &[Camera],
+    size: [u32; 2],
+) -> bool {
     let mut in_bands = false;
     let mut renderer = gpu::renderer(mesh, Settings::default());
     let oracle = Oracle::new(mesh.clone());
     for &camera in cameras {
-        let drawn = gpu::draw(&mut renderer, &camera, transfer, SIZE);
+        let drawn = gpu::draw(&mut renderer, &camera, transfer, size);
         in_bands = drawn.stats.cells.iter().any(|(stage, _)| stage == "spans of them");
         let got = drawn.image;
-        let frame = Frame { camera: &camera, transfer, optics: &Optics::PLAIN, size: SIZE, background: [0.0; 4] };
+        let frame = Frame { camera: &camera, transfer, optics: &Optics::PLAIN, size, background: [0.0; 4] };
         let want = match own_order {
             true => oracle.render_in_order(&frame, &centroid_depth(mesh, &camera)),
             false => oracle.image(&frame),
@@ -177,6 +189,29 @@ fn a_face_seen_edge_on_agrees() {
     let transfer = TransferFunction::Widgets(vec![Axes::of(&mesh).band()]);
     let [camera, _] = cameras_from(&mesh, DVec3::new(0.7, 0.5, 0.8));
     agrees_from(&mesh, "tangle, edge-on", &transfer, ONE_COLOR, false, &[camera]);
+}
+
+/// Where nothing can be clipped, values are interpolated linearly: pictures of the size, and views, that most are.
+#[test]
+fn linear_interpolation_agrees() {
+    let mesh = meshes::fire();
+    let axes = Axes::of(&mesh);
+    let turned = axes.widget(axes.gaussian([0.4, 0.2], [0.03, 0.2], 0.7), GOLD, 30.0);
+    let size = [256, 192];
+    let [camera, flat] = cameras(&mesh);
+    for (name, transfer) in
+        [("curve", axes.curve([GOLD; 5])), ("turned Gaussian", TransferFunction::Widgets(vec![turned]))]
+    {
+        for camera in [camera, flat] {
+            let told = gpu::draw(&mut gpu::renderer(&mesh, Settings::default()), &camera, &transfer, size).stats;
+            assert!(told.pipelines.contains("interpolated linearly"), "{}", told.pipelines);
+            agrees_at(&mesh, &format!("fire, {name}, linearly"), &transfer, ONE_COLOR, false, &[camera], size);
+        }
+    }
+    // A camera that shows a part of it.
+    let near = Camera { projection: Projection::Perspective { fov_y: 0.2 }, ..camera };
+    let told = gpu::draw(&mut gpu::renderer(&mesh, Settings::default()), &near, &axes.curve([GOLD; 5]), size).stats;
+    assert!(told.pipelines.contains("in perspective"), "{}", told.pipelines);
 }
 
 #[test]
