@@ -1,7 +1,7 @@
 //! How far an integral is from the truth on stress cases: errors by tag, pieces, and what exceeds the budgets.
 //!
 //! `cargo run --release --example check_segments -- CASES.json [--integral I] [--emission weighted|unweighted]
-//! [--device gpu|software|oracle]`
+//! [--device gpu|software|cpu|oracle]`
 //!
 //! Ends with 1 where a budget is exceeded, 2 where something else went wrong.
 
@@ -12,7 +12,7 @@ use std::process::ExitCode;
 use tetralux::gpu::{DeviceChoice, Gpu};
 use tetralux::oracle::cases::parse;
 use tetralux::renderer::SegmentIntegral;
-use tetralux::report::segments::{Budget, SegmentReport, of_oracle, on_device};
+use tetralux::report::segments::{Budget, SegmentReport, of_oracle, on_cpu, on_device};
 use tetralux::scene::EmissionModel;
 use tetralux::{Error, Result};
 
@@ -20,18 +20,25 @@ struct Asked {
     file: String,
     integral: SegmentIntegral,
     emission: EmissionModel,
-    device: Option<DeviceChoice>,
+    device: Device,
+}
+
+/// Who integrates.
+enum Device {
+    Adapter(DeviceChoice),
+    Cpu,
+    Oracle,
 }
 
 fn asked() -> Result<Asked> {
     let usage = || {
-        Error::Asked("usage: check_segments CASES.json [--integral I] [--emission weighted|unweighted] [--device gpu|software|oracle]".into())
+        Error::Asked("usage: check_segments CASES.json [--integral I] [--emission weighted|unweighted] [--device gpu|software|cpu|oracle]".into())
     };
     let mut arguments = std::env::args().skip(1);
     let mut file = None;
     let mut integral = SegmentIntegral::default();
     let mut emission = EmissionModel::Weighted;
-    let mut device = Some(DeviceChoice::Any);
+    let mut device = Device::Adapter(DeviceChoice::Any);
     while let Some(argument) = arguments.next() {
         match argument.as_str() {
             "--integral" => integral = arguments.next().ok_or_else(usage)?.parse()?,
@@ -44,9 +51,10 @@ fn asked() -> Result<Asked> {
             }
             "--device" => {
                 device = match arguments.next().as_deref() {
-                    Some("gpu") => Some(DeviceChoice::Any),
-                    Some("software") => Some(DeviceChoice::Software),
-                    Some("oracle") => None,
+                    Some("gpu") => Device::Adapter(DeviceChoice::Any),
+                    Some("software") => Device::Adapter(DeviceChoice::Software),
+                    Some("cpu") => Device::Cpu,
+                    Some("oracle") => Device::Oracle,
                     _ => return Err(usage()),
                 }
             }
@@ -62,7 +70,7 @@ fn check() -> Result<bool> {
     let text = std::fs::read_to_string(&file).map_err(|e| Error::io(file.as_ref(), e))?;
     let cases = parse(&text)?;
     let (answers, name, budget) = match device {
-        Some(choice) => {
+        Device::Adapter(choice) => {
             let gpu = Gpu::new(choice)?;
             (
                 on_device(&gpu, integral, emission, &cases)?,
@@ -70,7 +78,10 @@ fn check() -> Result<bool> {
                 Budget::of(integral, emission),
             )
         }
-        None => {
+        Device::Cpu => {
+            (on_cpu(integral, emission, &cases)?, format!("{integral} on the CPU"), Budget::of(integral, emission))
+        }
+        Device::Oracle => {
             let most = 1e-9;
             let budget = Budget { opacity: most, one_color: most, color: most, mean_pieces: f64::INFINITY };
             (of_oracle(emission, &cases), "quadrature in f64".to_owned(), budget)

@@ -6,9 +6,11 @@ use crate::space::Interval;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
     /// Data value that becomes 0.
-    low: f64,
+    pub low: f64,
     /// Per data unit.
     pub scale: f64,
+    /// Of the normalised range: 1, or 0 for a range without extent.
+    extent: f64,
 }
 
 impl Axis {
@@ -16,7 +18,16 @@ impl Axis {
     pub fn of(range: Interval) -> Self {
         let length = range.length();
         let low = if range.min.is_finite() { range.min } else { 0.0 };
-        Self { low, scale: if length > 0.0 { 1.0 / length } else { 1.0 } }
+        if length > 0.0 {
+            Self { low, scale: 1.0 / length, extent: 1.0 }
+        } else {
+            Self { low, scale: 1.0, extent: 0.0 }
+        }
+    }
+
+    /// The middle of the range, normalised.
+    pub fn middle(self) -> f64 {
+        0.5 * self.extent
     }
 
     /// Data value to 0..1.

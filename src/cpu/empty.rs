@@ -4,8 +4,9 @@ use glam::Vec2;
 use rayon::prelude::*;
 
 use crate::cpu::mesh::CellMesh;
-use crate::cpu::segment::{CurveMedium, WidgetMedium};
+use crate::cpu::segment::CurveMedium;
 use crate::cpu::transfer::Compiled;
+use crate::cpu::widgets::{AnyWidget, extremes};
 
 /// Optical depth, and colour: a ray through 1,000 cells that are left out errs by 1e-6 at most.
 const INVISIBLE: f32 = 1e-9;
@@ -28,13 +29,16 @@ impl EmptyCells {
             .map(|cells| {
                 (0..).zip(cells).fold(0, |bits, (i, cell)| {
                     let scalars = cell.vertices.map(|v| mesh.vertices[v as usize].w);
-                    let bound = match compiled {
+                    let corners = || {
+                        let gradients = cell.vertices.map(|v| mesh.gradients[v as usize]);
+                        std::array::from_fn(|i| Vec2::new(scalars[i], gradients[i]))
+                    };
+                    let bound_of_any = |widgets: &[AnyWidget]| widgets.iter().map(|w| w.bound(corners())).sum();
+                    let bound: f32 = match compiled {
                         Compiled::Curve(curve) => curve_bound(curve, scalars),
-                        Compiled::Widgets(sum) => {
-                            let gradients = cell.vertices.map(|v| mesh.gradients[v as usize]);
-                            let corners = std::array::from_fn(|i| Vec2::new(scalars[i], gradients[i]));
-                            sum.widgets.iter().map(|w| widget_bound(w, corners)).sum()
-                        }
+                        Compiled::Plain(sum) => sum.widgets.iter().map(|w| w.bound(corners())).sum(),
+                        Compiled::Any(sum) => bound_of_any(&sum.widgets),
+                        Compiled::Adaptive(sum) => bound_of_any(&sum.widgets),
                     };
                     bits | u64::from(bound * LONGEST < INVISIBLE) << i
                 })
@@ -62,14 +66,9 @@ impl EmptyCells {
     }
 }
 
-fn bounds(values: [f32; 4]) -> [f32; 2] {
-    let [a, b, c, d] = values;
-    [a.min(b).min(c.min(d)), a.max(b).max(c.max(d))]
-}
-
 /// The largest extinction or emission.
 fn curve_bound(curve: &CurveMedium, scalars: [f32; 4]) -> f32 {
-    let [low, high] = bounds(scalars);
+    let [low, high] = extremes(scalars);
     let mut most = 0.0_f32;
     for piece in &curve.pieces[curve.holder(low)..] {
         if piece.low > high {
@@ -81,27 +80,4 @@ fn curve_bound(curve: &CurveMedium, scalars: [f32; 4]) -> f32 {
         }
     }
     most
-}
-
-fn widget_bound(widget: &WidgetMedium, corners: [Vec2; 4]) -> f32 {
-    let beyond = |range: Option<[f32; 2]>, values: [f32; 4]| {
-        let [low, high] = bounds(values);
-        range.is_some_and(|[from, to]| high < from || low > to)
-    };
-    if beyond(widget.scalar, corners.map(|c| c.x)) || beyond(widget.gradient, corners.map(|c| c.y)) {
-        return 0.0;
-    }
-    let peak = match &widget.gaussian {
-        None => 1.0,
-        Some(gaussian) => {
-            let whitened = corners.map(|c| gaussian.whitened(c));
-            let distance = |values: [f32; 4]| {
-                let [low, high] = bounds(values);
-                low.max(-high).max(0.0)
-            };
-            let (x, y) = (distance(whitened.map(|p| p.x)), distance(whitened.map(|p| p.y)));
-            (-(x * x + y * y)).exp()
-        }
-    };
-    widget.extinction * widget.color.max_element().max(1.0) * peak
 }

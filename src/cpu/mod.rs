@@ -32,8 +32,9 @@ mod segment;
 mod surface;
 mod transfer;
 mod walk;
+mod widgets;
 
 pub use mesh::CellMesh;
 pub use path::Path;
 pub use renderer::{CpuRenderer, supports};
-pub use transfer::integrate;
+pub use transfer::{Integrated, integrate};

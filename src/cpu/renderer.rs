@@ -14,6 +14,7 @@ use crate::cpu::segment::Medium;
 use crate::cpu::surface::{SurfaceView, TILE};
 use crate::cpu::transfer::{Compiled, known};
 use crate::cpu::walk::{Counts, Sink};
+use crate::cpu::widgets::Axes;
 use crate::error::{Error, Result};
 use crate::image::Image;
 use crate::renderer::{BufferSize, Frame, Method, PassTime, Rendered, Renderer, SegmentIntegral, Settings, Stats};
@@ -45,23 +46,7 @@ pub fn supports(transfer: &TransferFunction, optics: &Optics, integral: SegmentI
             "unweighted emission, lighting and silhouettes cannot be cast on the CPU yet: use --device oracle".into(),
         ));
     }
-    known(transfer)?;
-    match integral {
-        SegmentIntegral::Analytic => Ok(()),
-        // Of curves and of one colour the closed forms are exact.
-        SegmentIntegral::Adaptive { .. } if one_color(transfer) => Ok(()),
-        _ => Err(Error::Asked(format!(
-            "'{integral}' of several colours cannot be cast on the CPU yet: use --integral analytic, or --device software"
-        ))),
-    }
-}
-
-/// Curves are integrated exactly, too.
-fn one_color(transfer: &TransferFunction) -> bool {
-    match transfer {
-        TransferFunction::Curve(_) => true,
-        TransferFunction::Widgets(widgets) => widgets.windows(2).all(|pair| pair[0].color == pair[1].color),
-    }
+    known(transfer, integral)
 }
 
 impl CpuRenderer {
@@ -89,7 +74,10 @@ impl CpuRenderer {
             return Ok(());
         }
         let cells = &self.cells;
-        let compiled = Compiled::new(frame.transfer, cells.scalar, cells.gradient, cells.data_per_mesh)?;
+        let (scalar, gradient, data_per_mesh) = (cells.scalar, cells.gradient, cells.data_per_mesh);
+        // Fields at the ends of ranges are means of f32 values, and err by about as much.
+        let axes = Axes { scalar, gradient, data_per_mesh, range_hair: 1e-7 };
+        let compiled = Compiled::new(frame.transfer, self.settings.integral, &axes)?;
         let empty = if self.settings.cull { EmptyCells::new(cells, &compiled) } else { EmptyCells::none(cells) };
         self.scene = Some(Scene { source: frame.transfer.clone(), compiled, empty });
         Ok(())
@@ -114,9 +102,10 @@ impl CpuRenderer {
         let binned = start.elapsed();
         let bivariate = scene.compiled.is_bivariate();
         let (image, counts) = match &scene.compiled {
-            Compiled::Curve(medium) => job.image::<_, false>(medium),
-            Compiled::Widgets(medium) if bivariate => job.image::<_, true>(medium),
-            Compiled::Widgets(medium) => job.image::<_, false>(medium),
+            Compiled::Curve(medium) => job.image(medium, bivariate),
+            Compiled::Plain(medium) => job.image(medium, bivariate),
+            Compiled::Any(medium) => job.image(medium, bivariate),
+            Compiled::Adaptive(medium) => job.image(medium, bivariate),
         };
         let cast = start.elapsed();
         Ok(Drawn { image, counts, times: [prepared, binned - prepared, cast - binned] })
@@ -191,7 +180,11 @@ struct Job<'a> {
 }
 
 impl Job<'_> {
-    fn image<M: Medium, const BIVARIATE: bool>(&self, medium: &M) -> (Image, Counts) {
+    fn image<M: Medium>(&self, medium: &M, bivariate: bool) -> (Image, Counts) {
+        if bivariate { self.tiles::<M, true>(medium) } else { self.tiles::<M, false>(medium) }
+    }
+
+    fn tiles<M: Medium, const BIVARIATE: bool>(&self, medium: &M) -> (Image, Counts) {
         let tiles: Vec<(Vec<[f32; 4]>, Counts)> = (0..self.view.tile_count())
             .into_par_iter()
             .with_max_len(1)

@@ -1,37 +1,50 @@
 //! Transfer functions on normalised axes and mesh lengths, in f32.
 
-use glam::{Vec2, Vec4};
+use glam::Vec4;
 
 use crate::cpu::axis::Axis;
-use crate::cpu::segment::{CurveMedium, Gaussian, Medium as _, Piece, WidgetMedium, WidgetsMedium};
+use crate::cpu::segment::{CurveMedium, Medium as _, Piece};
+use crate::cpu::widgets::{
+    AdaptiveWidgets, AnyWidget, AnyWidgets, Axes, Line, MOST_WIDGETS, PlainWidgets, any_widgets, plain_widgets,
+};
 use crate::error::{Error, Result};
-use crate::scene::{Curve, TransferFunction, Widget, WidgetShape};
+use crate::renderer::SegmentIntegral;
+use crate::scene::{Curve, TransferFunction, Widget};
 use crate::space::Interval;
-
-/// By how much ranges are widened, normalised: fields at the ends are means of f32 values, and err by about as much.
-const RANGE_HAIR: f64 = 1e-7;
 
 /// A transfer function that segments can be integrated with.
 #[derive(Clone, Debug)]
 pub enum Compiled {
     Curve(CurveMedium),
-    Widgets(WidgetsMedium),
+    /// Uniform and Gaussian widgets of one colour, or of colours that are to be mixed evenly.
+    Plain(PlainWidgets),
+    /// The same of any widgets.
+    Any(AnyWidgets),
+    /// Any widgets of several colours.
+    Adaptive(AdaptiveWidgets),
 }
 
 impl Compiled {
-    /// `data_per_mesh`: see [`crate::tet::TetMesh`].
+    /// For an integral that is [`known`].
     ///
     /// # Errors
-    /// What this engine does not integrate; a value that f32 cannot hold.
-    pub fn new(transfer: &TransferFunction, scalar: Axis, gradient: Axis, data_per_mesh: f64) -> Result<Self> {
-        known(transfer)?;
-        Ok(match transfer {
-            TransferFunction::Curve(curve) => Self::Curve(compile_curve(curve, scalar, data_per_mesh)?),
-            TransferFunction::Widgets(list) => {
-                let widgets = list.iter().enumerate();
-                let compile = |(i, w)| widget(i, w, scalar, gradient, data_per_mesh);
-                Self::Widgets(WidgetsMedium { widgets: widgets.map(compile).collect::<Result<_>>()? })
+    /// A value that f32 cannot hold.
+    pub fn new(transfer: &TransferFunction, integral: SegmentIntegral, axes: &Axes) -> Result<Self> {
+        let list = match transfer {
+            TransferFunction::Curve(curve) => {
+                return Ok(Self::Curve(compile_curve(curve, axes.scalar, axes.data_per_mesh)?));
             }
+            TransferFunction::Widgets(list) => list,
+        };
+        if let SegmentIntegral::Adaptive { tolerance } = integral
+            && !one_color(list)
+        {
+            let tolerance = tolerance as f32;
+            return Ok(Self::Adaptive(AdaptiveWidgets { widgets: any_widgets(list, axes)?, tolerance }));
+        }
+        Ok(match plain_widgets(list, axes)? {
+            Some(widgets) => Self::Plain(PlainWidgets { widgets }),
+            None => Self::Any(AnyWidgets { widgets: any_widgets(list, axes)? }),
         })
     }
 
@@ -39,49 +52,77 @@ impl Compiled {
     pub fn is_bivariate(&self) -> bool {
         match self {
             Self::Curve(_) => false,
-            Self::Widgets(medium) => medium
-                .widgets
-                .iter()
-                .any(|w| w.gradient.is_some() || w.gaussian.is_some_and(|g| g.whiten.iter().any(|row| row.y != 0.0))),
+            Self::Plain(sum) => sum.widgets.iter().any(|w| w.is_bivariate()),
+            Self::Any(sum) => sum.widgets.iter().any(AnyWidget::is_bivariate),
+            Self::Adaptive(sum) => sum.widgets.iter().any(AnyWidget::is_bivariate),
         }
     }
 }
 
-/// One segment in a mesh whose fields span just the segment's values: premultiplied colour and opacity. Ends are (scalar,
-/// gradient magnitude), all in data units. How the engine's arithmetic is checked, a segment at a time.
+/// What is seen of one segment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Integrated {
+    /// Linear, premultiplied.
+    pub color: [f32; 3],
+    /// 1 - exp(-optical depth).
+    pub opacity: f32,
+    /// Pieces that the segment was cut into.
+    pub pieces: u32,
+}
+
+/// One segment in a mesh whose fields span just the segment's values. Ends are (scalar, gradient magnitude), all in data
+/// units. How the engine's arithmetic is checked, a segment at a time.
 ///
 /// # Errors
-/// What the engine does not integrate.
-pub fn integrate(transfer: &TransferFunction, front: [f64; 2], back: [f64; 2], length: f64) -> Result<[f32; 4]> {
+/// What the engine does not integrate; a value that f32 cannot hold.
+pub fn integrate(
+    transfer: &TransferFunction,
+    integral: SegmentIntegral,
+    front: [f64; 2],
+    back: [f64; 2],
+    length: f64,
+) -> Result<Integrated> {
+    known(transfer, integral)?;
     let [scalar, gradient] = [0, 1].map(|i| Axis::of(Interval::of([front[i], back[i]])));
     // Mesh units in which the segment is within f32's range, whatever the data's are.
     let data_per_mesh = length.max(f64::MIN_POSITIVE);
     let [front, back] = [front, back].map(|[s, g]| [scalar.apply(s) as f32, gradient.apply(g) as f32]);
     let (hint, length) = (&mut 0, (length / data_per_mesh) as f32);
-    let seen = match Compiled::new(transfer, scalar, gradient, data_per_mesh)? {
-        Compiled::Curve(medium) => medium.segment(hint, front, back, length),
-        Compiled::Widgets(medium) => medium.segment(hint, front, back, length),
-    };
-    Ok(seen.to_array())
+    let (seen, pieces) =
+        match Compiled::new(transfer, integral, &Axes { scalar, gradient, data_per_mesh, range_hair: 0.0 })? {
+            Compiled::Curve(medium) => (medium.segment(hint, front, back, length), 1),
+            Compiled::Plain(medium) => (medium.segment(hint, front, back, length), 1),
+            Compiled::Any(medium) => (medium.segment(hint, front, back, length), 1),
+            Compiled::Adaptive(medium) => medium.pieces(&Line { front: front.into(), back: back.into(), length }),
+        };
+    Ok(Integrated { color: seen.truncate().to_array(), opacity: seen.w, pieces })
 }
 
-/// Whether this engine integrates every part of it.
+/// Whether this engine has the integral, and integrates every part of the function by it.
 ///
 /// # Errors
-/// The first part that it does not.
-pub fn known(transfer: &TransferFunction) -> Result<()> {
-    let TransferFunction::Widgets(widgets) = transfer else { return Ok(()) };
-    for (index, widget) in widgets.iter().enumerate() {
-        let what = match widget.shape {
-            _ if widget.window.is_some() => "a window",
-            WidgetShape::Triangle { .. } => "a triangle wave",
-            WidgetShape::Sinusoid { .. } => "a sinusoid",
-            WidgetShape::Ramp { .. } => "a ramp",
-            WidgetShape::Uniform | WidgetShape::Gaussian { .. } => continue,
-        };
-        return Err(Error::Asked(format!("widget {index}: {what} cannot be cast on the CPU yet: use --device oracle")));
+/// What it has not.
+pub fn known(transfer: &TransferFunction, integral: SegmentIntegral) -> Result<()> {
+    match (integral, transfer) {
+        (SegmentIntegral::Adaptive { .. }, TransferFunction::Widgets(list))
+            if list.len() > MOST_WIDGETS && !one_color(list) =>
+        {
+            Err(Error::Asked(format!(
+                "{} widgets of several colours cannot be cast on the CPU to a tolerance, {MOST_WIDGETS} at most: use \
+                 --integral analytic, or --device oracle",
+                list.len()
+            )))
+        }
+        (SegmentIntegral::Adaptive { .. } | SegmentIntegral::Analytic, _) => Ok(()),
+        _ => Err(Error::Asked(format!(
+            "'{integral}' cannot be cast on the CPU: use --integral adaptive or analytic, or --device software"
+        ))),
     }
-    Ok(())
+}
+
+/// Then closed forms are exact.
+fn one_color(widgets: &[Widget]) -> bool {
+    widgets.windows(2).all(|pair| pair[0].color == pair[1].color)
 }
 
 fn compile_curve(curve: &Curve, scalar: Axis, data_per_mesh: f64) -> Result<CurveMedium> {
@@ -111,46 +152,4 @@ fn compile_curve(curve: &Curve, scalar: Axis, data_per_mesh: f64) -> Result<Curv
         pieces.push(piece);
     }
     Ok(CurveMedium { pieces })
-}
-
-fn widget(index: usize, w: &Widget, scalar: Axis, gradient: Axis, data_per_mesh: f64) -> Result<WidgetMedium> {
-    let range = |range: Option<[f64; 2]>, axis: Axis| {
-        let ends = range.map(|[low, high]| {
-            // Ends belong to the range: a hair wider, since values at the ends are computed.
-            [axis.apply(low) - RANGE_HAIR, axis.apply(high) + RANGE_HAIR].map(|e| e.clamp(-1.0, 2.0) as f32)
-        });
-        // One that holds every value cuts nothing.
-        ends.filter(|[low, high]| *low >= 0.0 || *high <= 1.0)
-    };
-    let gaussian = match w.shape {
-        WidgetShape::Gaussian { center, sigma, angle } => {
-            let (sin, cos) = angle.sin_cos();
-            let [a, b] = sigma.map(|s| 1.0 / (std::f64::consts::SQRT_2 * s));
-            // Data units per normalised unit.
-            let (us, ug) = (1.0 / scalar.scale, 1.0 / gradient.scale);
-            // Narrower than any f32 can tell; keeps squares finite.
-            let row = |x: f64, y: f64| Vec2::new(x.clamp(-1e12, 1e12) as f32, y.clamp(-1e12, 1e12) as f32);
-            Some(Gaussian {
-                center: Vec2::new(scalar.apply(center[0]) as f32, gradient.apply(center[1]) as f32),
-                whiten: [row(cos * a * us, sin * a * ug), row(-sin * b * us, cos * b * ug)],
-            })
-        }
-        _ => None,
-    };
-    let [r, g, b] = w.color.map(|c| c as f32);
-    let (color, extinction) = (Vec4::new(r, g, b, 0.0), (w.extinction * data_per_mesh) as f32);
-    let center = gaussian.map_or(Vec2::ZERO, |g| g.center);
-    if !(color.is_finite() && center.is_finite() && extinction.is_finite()) {
-        return Err(Error::Asked(format!(
-            "widget {index}: its centre, colour or extinction is beyond f32 on this mesh (centre {center}, extinction \
-             {extinction})"
-        )));
-    }
-    Ok(WidgetMedium {
-        color,
-        extinction,
-        gaussian,
-        scalar: range(w.scalar_range, scalar),
-        gradient: range(w.gradient_range, gradient),
-    })
 }

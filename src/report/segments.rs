@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
+use crate::cpu;
 use crate::error::Result;
 use crate::gpu::Gpu;
 use crate::gpu::segments::{self, Segment};
@@ -13,7 +14,7 @@ use crate::oracle::Shade;
 use crate::oracle::cases::Case;
 use crate::oracle::segment::Medium;
 use crate::renderer::SegmentIntegral;
-use crate::scene::{EmissionModel, TransferFunction, Widget};
+use crate::scene::{EmissionModel, Optics, TransferFunction, Widget};
 
 /// Widgets of less optical depth are not seen.
 const VISIBLE_DEPTH: f64 = 1e-6;
@@ -104,6 +105,21 @@ pub fn on_device(gpu: &Gpu, integral: SegmentIntegral, emission: EmissionModel, 
         pieces: r.pieces,
     });
     Ok(answers.collect())
+}
+
+/// Answers of the CPU engine.
+///
+/// # Errors
+/// What it does not integrate; widgets beyond f32.
+pub fn on_cpu(integral: SegmentIntegral, emission: EmissionModel, cases: &[Case]) -> Result<Vec<Answer>> {
+    let optics = Optics { emission, ..Optics::PLAIN };
+    let answer = |case: &Case| {
+        cpu::supports(&case.transfer, &optics, integral)?;
+        let seen = cpu::integrate(&case.transfer, integral, case.front, case.back, case.length)?;
+        let (opacity, color) = (f64::from(seen.opacity), seen.color.map(f64::from));
+        Ok(Answer { opacity, color, pieces: seen.pieces })
+    };
+    cases.iter().map(answer).collect()
 }
 
 /// Answers of the f64 quadrature.

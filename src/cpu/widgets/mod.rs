@@ -1,0 +1,24 @@
+//! Sums of widgets along a segment, in f32: hand-written twins of `shaders/shared/widgets.wgsl`, `adaptive.wgsl` and what
+//! they import.
+//!
+//! Uniform and Gaussian widgets without windows have a medium of their own (`plain`): most scenes need no more, and it is the
+//! fastest. Any others are [`AnyWidget`]s, which are summed where one colour or evenly mixed colours will do
+//! ([`AnyWidgets`]), and bisected where they will not ([`AdaptiveWidgets`]).
+
+mod adaptive;
+mod any;
+mod compile;
+mod gaussian;
+mod knots;
+mod line;
+mod optics;
+mod plain;
+mod profile;
+mod turns;
+mod waves;
+
+pub use adaptive::{AdaptiveWidgets, MOST_WIDGETS};
+pub use any::{AnyWidget, AnyWidgets};
+pub use compile::{Axes, any_widgets, plain_widgets};
+pub use line::{Line, extremes};
+pub use plain::PlainWidgets;
