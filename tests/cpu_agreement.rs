@@ -12,11 +12,13 @@ use common::peer_scene::PeerScene;
 use common::{folder, meshes};
 use glam::DVec3;
 use tetralux::cpu::CpuRenderer;
-use tetralux::image::Image;
+use tetralux::image::{Comparison, Image};
 use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
 use tetralux::renderer::{Frame, Method, Rendered, Renderer as _, SegmentIntegral, Settings};
-use tetralux::scene::{Camera, Curve, CurveNode, Optics, Projection, TransferFunction, Widget, WidgetShape, Window};
+use tetralux::scene::{
+    Camera, Curve, CurveNode, Optics, Projection, SinusoidVariant, TransferFunction, Widget, WidgetShape, Window,
+};
 use tetralux::tet::TetMesh;
 
 const SIZE: [u32; 2] = [96, 96];
@@ -29,6 +31,7 @@ const MIXED: Limits = Limits { psnr: 54.0, percentile_99_9: f64::INFINITY, expla
 
 const GOLD: [f64; 3] = [0.9, 0.6, 0.3];
 const BLUE: [f64; 3] = [0.1, 0.3, 0.9];
+const GREEN: [f64; 3] = [0.1, 0.8, 0.3];
 
 /// Ranges of the mesh's fields, to place functions by.
 struct Axes {
@@ -66,6 +69,39 @@ impl Axes {
     fn curve(&self, nodes: &[(f64, [f64; 3], f64)]) -> TransferFunction {
         let node = |&(x, color, depth): &_| CurveNode { scalar: self.s(x), color, extinction: depth / self.diagonal };
         TransferFunction::Curve(Curve { nodes: nodes.iter().map(node).collect() })
+    }
+
+    /// Along the scalar, and across it.
+    fn direction(&self, tilt: f64) -> [f64; 2] {
+        [1.0, tilt * self.scalar[1] / self.gradient[1]]
+    }
+
+    /// Gaussians, waves and a windowed ramp, each of a colour of its own, which overlap.
+    fn colors(&self) -> TransferFunction {
+        let [from, extent] = self.scalar;
+        let triangle =
+            WidgetShape::Triangle { direction: self.direction(0.2), offset: from, period: 0.13 * extent, duty: 0.6 };
+        let sinusoid = WidgetShape::Sinusoid {
+            direction: self.direction(-0.3),
+            offset: from + 0.4 * extent,
+            period: 0.31 * extent,
+            variant: SinusoidVariant::Half,
+        };
+        let ramp = WidgetShape::Ramp {
+            direction: [1.0, 0.0],
+            knots: vec![[self.s(0.1), 0.0], [self.s(0.35), 1.0], [self.s(0.9), 0.3]],
+        };
+        let window = Some(Window {
+            direction: [0.0, 1.0],
+            knots: vec![[self.g(-0.1), 1.0], [self.g(0.2), 0.8], [self.g(0.7), 0.0]],
+        });
+        TransferFunction::Widgets(vec![
+            self.widget(self.gaussian([0.4, 0.2], [0.03, 0.2], 0.7), GOLD, 60.0),
+            self.widget(self.gaussian([0.25, 0.3], [0.2, 0.3], 0.0), BLUE, 20.0),
+            self.widget(triangle, [1.0, 0.2, 0.1], 10.0),
+            self.widget(sinusoid, GREEN, 10.0),
+            Widget { window, ..self.widget(ramp, [0.9, 0.9, 1.0], 25.0) },
+        ])
     }
 
     /// One of each kind, and how well it can be met.
@@ -134,12 +170,35 @@ fn renderer(mesh: &Arc<TetMesh>, settings: Settings) -> CpuRenderer {
 }
 
 fn agrees(mesh: &Arc<TetMesh>, what: &str) {
-    let mut renderer = renderer(mesh, Settings::default());
+    agree(&mut renderer(mesh, Settings::default()), mesh, what, Axes::of(mesh).functions());
+    let settings = Settings { integral: SegmentIntegral::Adaptive { tolerance: 1e-3 }, ..Settings::default() };
+    let mut to_tolerance = CpuRenderer::new(mesh.clone(), settings).unwrap_or_else(|e| panic!("{e}"));
+    let colors = Axes::of(mesh).colors();
+    agree(&mut to_tolerance, mesh, what, vec![("all shapes, to a tolerance", colors.clone(), LIMITS)]);
+    assert_tolerance_is_needed(&mut to_tolerance, mesh, &colors);
+}
+
+/// Colours that are mixed evenly within a cell make another picture.
+fn assert_tolerance_is_needed(to_tolerance: &mut CpuRenderer, mesh: &Arc<TetMesh>, colors: &TransferFunction) {
+    let (_, inside) = &cameras(mesh)[2];
+    let adaptive = draw(to_tolerance, inside, colors, SIZE).image;
+    let even = draw(&mut renderer(mesh, Settings::default()), inside, colors, SIZE).image;
+    let comparison = Comparison::new(&even, &adaptive).expect("equal sizes");
+    println!("mixed evenly: {:.2} dB from adaptive", comparison.psnr);
+    assert!(comparison.psnr < LIMITS.psnr, "mixed evenly, the colours are as good: {comparison}");
+}
+
+fn agree(
+    renderer: &mut CpuRenderer,
+    mesh: &Arc<TetMesh>,
+    what: &str,
+    functions: Vec<(&'static str, TransferFunction, Limits)>,
+) {
     let oracle = Oracle::new(mesh.clone());
-    for (function, transfer, limits) in Axes::of(mesh).functions() {
+    for (function, transfer, limits) in functions {
         let mut any = 0;
         for (place, camera) in cameras(mesh) {
-            let got = draw(&mut renderer, &camera, &transfer, SIZE).image;
+            let got = draw(renderer, &camera, &transfer, SIZE).image;
             let frame = Frame {
                 camera: &camera,
                 transfer: &transfer,
@@ -215,7 +274,15 @@ fn rays_end_early_within_the_stated_share() {
 #[test]
 fn empty_cells_are_skipped_unseen() {
     let mesh = meshes::sample(Sample::Tangle, 20_000);
-    for (function, transfer, _) in Axes::of(&mesh).functions() {
+    let axes = Axes::of(&mesh);
+    let [from, extent] = axes.scalar;
+    let (direction, offset) = ([1.0, 0.0], from - 0.175 * extent);
+    let tent = axes.widget(WidgetShape::Triangle { direction, offset, period: extent, duty: 0.05 }, GOLD, 30.0);
+    let window = Some(Window { direction, knots: vec![[axes.s(0.6), 0.2], [axes.s(0.62), 1.0], [axes.s(0.65), 0.0]] });
+    let ramp = WidgetShape::Ramp { direction, knots: vec![[from, 1.0], [from + extent, 0.0]] };
+    let windowed = Widget { window, ..axes.widget(ramp, BLUE, 30.0) };
+    let narrow = TransferFunction::Widgets(vec![tent, windowed]);
+    for (function, transfer, _) in axes.functions().into_iter().chain([("tent and window", narrow, LIMITS)]) {
         let (_, camera) = cameras(&mesh)[0];
         let mut with = renderer(&mesh, Settings::default());
         let mut without = renderer(&mesh, Settings { cull: false, ..Settings::default() });
@@ -226,7 +293,7 @@ fn empty_cells_are_skipped_unseen() {
         println!("{function}: {:?} of {:?} cells, {worst:.1e}", visible(&a), visible(&b));
         assert!(worst < 2e-6, "{function}: {worst}");
         assert_eq!(visible(&b), Some(mesh.tets.len() as u64));
-        if ["band", "opaque shell"].contains(&function) {
+        if ["band", "opaque shell", "tent and window"].contains(&function) {
             assert!(visible(&a) < Some(mesh.tets.len() as u64 * 9 / 10), "{function}: few are left out");
         }
     }
@@ -262,16 +329,17 @@ fn what_it_cannot_do_is_refused() {
         renderer.render(&frame, false).err().map(|e| e.to_string()).unwrap_or_default()
     };
     let plain = Widget::new(WidgetShape::Uniform, GOLD, 1.0);
-    let window = Some(Window { direction: [1.0, 0.0], knots: vec![[0.0, 1.0], [1.0, 0.0]] });
-    let windowed = refusal(Widget { window, ..plain.clone() }, Optics::PLAIN, SIZE);
-    assert!(windowed.contains("widget 1: a window"), "{windowed}");
-    let ramp = WidgetShape::Ramp { direction: [1.0, 0.0], knots: vec![[0.0, 0.0], [1.0, 1.0]] };
-    assert!(refusal(Widget::new(ramp, GOLD, 1.0), Optics::PLAIN, SIZE).contains("widget 1: a ramp"));
     let glowing = Optics { emission: tetralux::scene::EmissionModel::Unweighted, ..Optics::PLAIN };
     assert!(refusal(plain.clone(), glowing, SIZE).contains("unweighted"));
     assert!(refusal(plain.clone(), Optics::PLAIN, [0, 4]).contains("no pixels"));
     assert!(refusal(Widget::new(WidgetShape::Uniform, GOLD, 1e300), Optics::PLAIN, SIZE).contains("beyond f32"));
     assert_eq!(refusal(plain, Optics::PLAIN, SIZE), "");
+    let long = WidgetShape::Ramp { direction: [1.0, 0.0], knots: vec![[0.0, 0.0], [1.0, 1e300]] };
+    let knots = refusal(Widget::new(long, GOLD, 1.0), Optics::PLAIN, SIZE);
+    assert!(knots.contains("widget 1: its knots are beyond f32"), "{knots}");
+    let wave = WidgetShape::Triangle { direction: [1.0, 0.0], offset: 1e300, period: 1e-300, duty: 1.0 };
+    let period = refusal(Widget::new(wave, GOLD, 1.0), Optics::PLAIN, SIZE);
+    assert!(period.contains("widget 1: its period or offset is beyond f32"), "{period}");
 }
 
 /// Real data at 512 x 512, four views from outside and two from within.

@@ -131,7 +131,9 @@ impl Pieces<'_> {
             emission += depth * widget.plain.color;
         }
         let mut depths = Depths { total: 0.0, color: Vec4::ZERO, spread: Vec4::ZERO, reach: Vec4::ZERO };
-        if !(total > 0.0) {
+        // So that NaN is nothing, too.
+        let is_seen = total > 0.0;
+        if !is_seen {
             return depths;
         }
         depths.total = total;

@@ -165,7 +165,8 @@ pub fn triangle_mean(phases: [f32; 2], weights: [f32; 2], duty: f32) -> f32 {
     let span = Span::of(phases, weights);
     let Span { low, high, at_low, at_high } = span;
     let width = high - low;
-    if !(width > 1e-30) {
+    let has_width = width > 1e-30;
+    if !has_width {
         return 0.5 * (at_low + at_high) * triangle_at(low, duty);
     }
     let (first, last) = (low.ceil(), high.floor());
