@@ -174,6 +174,7 @@ fn agrees(mesh: &Arc<TetMesh>, what: &str) {
     let settings = Settings { integral: SegmentIntegral::Adaptive { tolerance: 1e-3 }, ..Settings::default() };
     let mut to_tolerance = CpuRenderer::new(mesh.clone(), settings).unwrap_or_else(|e| panic!("{e}"));
     let colors = Axes::of(mesh).colors();
+    // Measured: at least 88.5 dB, 99.9 % of pixels within 3.1e-4.
     agree(&mut to_tolerance, mesh, what, vec![("all shapes, to a tolerance", colors.clone(), LIMITS)]);
     assert_tolerance_is_needed(&mut to_tolerance, mesh, &colors);
 }

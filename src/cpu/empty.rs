@@ -3,7 +3,7 @@
 use glam::Vec2;
 use rayon::prelude::*;
 
-use crate::cpu::mesh::CellMesh;
+use crate::cpu::mesh::{Cell, CellMesh};
 use crate::cpu::segment::CurveMedium;
 use crate::cpu::transfer::Compiled;
 use crate::cpu::widgets::{AnyWidget, extremes};
@@ -28,19 +28,8 @@ impl EmptyCells {
             .par_chunks(64)
             .map(|cells| {
                 (0..).zip(cells).fold(0, |bits, (i, cell)| {
-                    let scalars = cell.vertices.map(|v| mesh.vertices[v as usize].w);
-                    let corners = || {
-                        let gradients = cell.vertices.map(|v| mesh.gradients[v as usize]);
-                        std::array::from_fn(|i| Vec2::new(scalars[i], gradients[i]))
-                    };
-                    let bound_of_any = |widgets: &[AnyWidget]| widgets.iter().map(|w| w.bound(corners())).sum();
-                    let bound: f32 = match compiled {
-                        Compiled::Curve(curve) => curve_bound(curve, scalars),
-                        Compiled::Plain(sum) => sum.widgets.iter().map(|w| w.bound(corners())).sum(),
-                        Compiled::Any(sum) => bound_of_any(&sum.widgets),
-                        Compiled::Adaptive(sum) => bound_of_any(&sum.widgets),
-                    };
-                    bits | u64::from(bound * LONGEST < INVISIBLE) << i
+                    let is_empty = cell_bound(mesh, compiled, cell) * LONGEST < INVISIBLE;
+                    bits | u64::from(is_empty) << i
                 })
             })
             .collect();
@@ -63,6 +52,20 @@ impl EmptyCells {
 
     pub fn bytes(&self) -> usize {
         size_of_val(&self.words[..])
+    }
+}
+
+/// Extinction and emission within the cell do not exceed it.
+fn cell_bound(mesh: &CellMesh, compiled: &Compiled, cell: &Cell) -> f32 {
+    let scalars = cell.vertices.map(|v| mesh.vertices[v as usize].w);
+    let gradients = cell.vertices.map(|v| mesh.gradients[v as usize]);
+    let corners = std::array::from_fn(|i| Vec2::new(scalars[i], gradients[i]));
+    let of_any = |widgets: &[AnyWidget]| widgets.iter().map(|w| w.bound(corners)).sum();
+    match compiled {
+        Compiled::Curve(curve) => curve_bound(curve, scalars),
+        Compiled::Plain(sum) => sum.widgets.iter().map(|w| w.bound(corners)).sum(),
+        Compiled::Any(sum) => of_any(&sum.widgets),
+        Compiled::Adaptive(sum) => of_any(&sum.widgets),
     }
 }
 

@@ -20,6 +20,12 @@
 //! sorted by depth (`surface.rs`). Whether they do is decided by the signs that the faces' edges have in the walk, so that
 //! a ray enters a closed surface exactly as often as it leaves. Each entry starts one walk, and a walk ends at the
 //! boundary: holes, slits and concave parts need no special case.
+//!
+//! # Segments
+//!
+//! Between two faces a transfer function is one of four media, chosen once a scene (`transfer.rs`), and what is seen of
+//! each segment is its closed form: of 1D functions in `segment.rs`, of widgets in `widgets/`. Widgets of several colours
+//! are bisected to the tolerance asked for.
 
 mod axis;
 mod cast;
