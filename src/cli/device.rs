@@ -52,7 +52,10 @@ fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<
     match Gpu::new(DeviceChoice::Any) {
         Ok(gpu) if gpu.is_software() && castable => chosen(
             cast(mesh, settings)?,
-            &format!("'{}' is a software adapter, and the CPU engine is faster: chosen instead", gpu.info.name),
+            &format!(
+                "'{}' is a software adapter: the CPU engine, whose visibility is exact, is taken instead",
+                gpu.info.name
+            ),
         ),
         Ok(gpu) => chosen(project(gpu, mesh, settings)?, ""),
         Err(Error::Device(_)) if castable => {
