@@ -92,8 +92,8 @@ fn what_it_cannot_do_is_refused() {
     let refusal =
         |integral, emission| on_cpu(integral, emission, &selection()).err().map(|e| e.to_string()).unwrap_or_default();
     assert!(refusal(adaptive(1e-3), EmissionModel::Unweighted).contains("unweighted"));
-    let segmented = refusal(SegmentIntegral::Segmented { pieces: 8 }, EmissionModel::Weighted);
-    assert!(segmented.contains("'segmented:8' cannot be cast on the CPU"), "{segmented}");
+    let table = refusal(SegmentIntegral::PreIntegrated { size: 8 }, EmissionModel::Weighted);
+    assert!(table.contains("functions of the scalar alone"), "{table}");
     let colored = |i: u32| Widget::new(WidgetShape::Uniform, [f64::from(i) / 100.0; 3], 0.01);
     let sum = |count| TransferFunction::Widgets((0..count).map(colored).collect());
     let of = |count, integral| integrate(&sum(count), integral, [0.0; 2], [1.0; 2], 1.0).map_err(|e| e.to_string());

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use crate::cpu::mesh::{Cell, CellMesh};
 use crate::cpu::segment::CurveMedium;
 use crate::cpu::transfer::Compiled;
-use crate::cpu::widgets::{AnyWidget, extremes};
+use crate::cpu::widgets::{AnyWidget, Classifier, extremes};
 
 /// Optical depth, and colour: a ray through 1,000 cells that are left out errs by 1e-6 at most.
 const INVISIBLE: f32 = 1e-9;
@@ -66,6 +66,12 @@ fn cell_bound(mesh: &CellMesh, compiled: &Compiled, cell: &Cell) -> f32 {
         Compiled::Plain(sum) => sum.widgets.iter().map(|w| w.bound(corners)).sum(),
         Compiled::Any(sum) => of_any(&sum.widgets),
         Compiled::Adaptive(sum) => of_any(&sum.widgets),
+        Compiled::Partial(sum) => of_any(&sum.widgets),
+        Compiled::PreIntegrated(table) => curve_bound(&table.curve, scalars),
+        Compiled::Points(medium) => match &medium.classifier {
+            Classifier::Curve(curve) => curve_bound(curve, scalars),
+            Classifier::Widgets(widgets) => of_any(widgets),
+        },
     }
 }
 

@@ -23,7 +23,7 @@
 //!
 //! # Segments
 //!
-//! Between two faces a transfer function is one of four media, chosen once a scene (`transfer.rs`), and what is seen of
+//! Between two faces a transfer function is one of several media, chosen once a scene (`transfer.rs`), and what is seen of
 //! each segment is its closed form: of 1D functions in `segment.rs`, of widgets in `widgets/`. Widgets of several colours
 //! are bisected to the tolerance asked for.
 
@@ -33,6 +33,7 @@ mod empty;
 mod lens;
 mod mesh;
 mod path;
+mod preintegrated;
 mod renderer;
 mod segment;
 mod surface;

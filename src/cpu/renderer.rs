@@ -106,6 +106,9 @@ impl CpuRenderer {
             Compiled::Plain(medium) => job.image(medium, bivariate),
             Compiled::Any(medium) => job.image(medium, bivariate),
             Compiled::Adaptive(medium) => job.image(medium, bivariate),
+            Compiled::Partial(medium) => job.image(medium, bivariate),
+            Compiled::Points(medium) => job.image(medium, bivariate),
+            Compiled::PreIntegrated(medium) => job.image(medium, bivariate),
         };
         let cast = start.elapsed();
         Ok(Drawn { image, counts, times: [prepared, binned - prepared, cast - binned] })

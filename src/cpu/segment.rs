@@ -46,6 +46,24 @@ impl CurveMedium {
         self.pieces.partition_point(|p| p.low <= s).saturating_sub(1)
     }
 
+    /// Colour and extinction at a scalar.
+    pub fn at(&self, s: f32) -> Vec4 {
+        self.pieces.get(self.holder(s)).map_or(Vec4::ZERO, |piece| piece.at(s))
+    }
+
+    /// Mean extinction between two scalars.
+    pub fn mean_extinction(&self, from: f32, to: f32) -> f32 {
+        let (low, high) = (from.min(to), from.max(to));
+        if high - low < 1e-6 {
+            return self.at(0.5 * (low + high)).w;
+        }
+        let of_piece = |piece: &Piece| {
+            let (start, end) = (low.max(piece.low), high.min(piece.high));
+            if end > start { (end - start) * piece.at(0.5 * (start + end)).w } else { 0.0 }
+        };
+        self.pieces.iter().map(of_piece).sum::<f32>() / (high - low)
+    }
+
     /// A segment over several pieces, split at their ends.
     #[cold]
     #[inline(never)]

@@ -3,9 +3,11 @@
 use glam::Vec4;
 
 use crate::cpu::axis::Axis;
+use crate::cpu::preintegrated::PreIntegratedMedium;
 use crate::cpu::segment::{CurveMedium, Medium as _, Piece};
 use crate::cpu::widgets::{
-    AdaptiveWidgets, AnyWidget, AnyWidgets, Axes, Line, MOST_WIDGETS, PlainWidgets, any_widgets, plain_widgets,
+    AdaptiveWidgets, AnyWidget, AnyWidgets, Axes, Classifier, Line, MOST_WIDGETS, PartialWidgets, PlainWidgets,
+    PointMedium, PointRule, any_widgets, plain_widgets,
 };
 use crate::error::{Error, Result};
 use crate::renderer::SegmentIntegral;
@@ -22,6 +24,12 @@ pub enum Compiled {
     Any(AnyWidgets),
     /// Any widgets of several colours.
     Adaptive(AdaptiveWidgets),
+    /// Widgets, linear between special points.
+    Partial(PartialWidgets),
+    /// Anything, known at points.
+    Points(PointMedium),
+    /// A 1D function, from a table.
+    PreIntegrated(PreIntegratedMedium),
 }
 
 impl Compiled {
@@ -30,12 +38,33 @@ impl Compiled {
     /// # Errors
     /// A value that f32 cannot hold.
     pub fn new(transfer: &TransferFunction, integral: SegmentIntegral, axes: &Axes) -> Result<Self> {
+        let rule = match integral {
+            SegmentIntegral::VertexLinear => Some(PointRule::VertexLinear),
+            SegmentIntegral::MeanScalar => Some(PointRule::MeanScalar),
+            SegmentIntegral::Segmented { pieces } => Some(PointRule::Segmented { pieces }),
+            _ => None,
+        };
         let list = match transfer {
             TransferFunction::Curve(curve) => {
-                return Ok(Self::Curve(compile_curve(curve, axes.scalar, axes.data_per_mesh)?));
+                let curve = compile_curve(curve, axes.scalar, axes.data_per_mesh)?;
+                // Between its nodes a curve is linear: `partial` is its exact integral.
+                return Ok(match (rule, integral) {
+                    (Some(rule), _) => Self::Points(PointMedium { classifier: Classifier::Curve(curve), rule }),
+                    (_, SegmentIntegral::PreIntegrated { size }) => {
+                        Self::PreIntegrated(PreIntegratedMedium::new(curve, size))
+                    }
+                    _ => Self::Curve(curve),
+                });
             }
             TransferFunction::Widgets(list) => list,
         };
+        if let Some(rule) = rule {
+            let classifier = Classifier::Widgets(any_widgets(list, axes)?);
+            return Ok(Self::Points(PointMedium { classifier, rule }));
+        }
+        if matches!(integral, SegmentIntegral::Partial { .. } | SegmentIntegral::PartialDirect) {
+            return Ok(Self::Partial(PartialWidgets { widgets: any_widgets(list, axes)? }));
+        }
         if let SegmentIntegral::Adaptive { tolerance } = integral
             && !one_color(list)
         {
@@ -51,7 +80,9 @@ impl Compiled {
     /// Gradient magnitudes matter.
     pub fn is_bivariate(&self) -> bool {
         match self {
-            Self::Curve(_) => false,
+            Self::Curve(_) | Self::PreIntegrated(_) => false,
+            Self::Points(medium) => medium.classifier.is_bivariate(),
+            Self::Partial(sum) => sum.widgets.iter().any(AnyWidget::is_bivariate),
             Self::Plain(sum) => sum.widgets.iter().any(|w| w.is_bivariate()),
             Self::Any(sum) => sum.widgets.iter().any(AnyWidget::is_bivariate),
             Self::Adaptive(sum) => sum.widgets.iter().any(AnyWidget::is_bivariate),
@@ -93,6 +124,9 @@ pub fn integrate(
             Compiled::Curve(medium) => (medium.segment(hint, front, back, length), 1),
             Compiled::Plain(medium) => (medium.segment(hint, front, back, length), 1),
             Compiled::Any(medium) => (medium.segment(hint, front, back, length), 1),
+            Compiled::Points(medium) => (medium.segment(hint, front, back, length), 1),
+            Compiled::PreIntegrated(medium) => (medium.segment(hint, front, back, length), 1),
+            Compiled::Partial(medium) => medium.pieces(&Line { front: front.into(), back: back.into(), length }),
             Compiled::Adaptive(medium) => medium.pieces(&Line { front: front.into(), back: back.into(), length }),
         };
     Ok(Integrated { color: seen.truncate().to_array(), opacity: seen.w, pieces })
@@ -113,10 +147,12 @@ pub fn known(transfer: &TransferFunction, integral: SegmentIntegral) -> Result<(
                 list.len()
             )))
         }
-        (SegmentIntegral::Adaptive { .. } | SegmentIntegral::Analytic, _) => Ok(()),
-        _ => Err(Error::Asked(format!(
-            "'{integral}' cannot be cast on the CPU: use --integral adaptive or analytic, or --device software"
-        ))),
+        (SegmentIntegral::PreIntegrated { .. }, TransferFunction::Widgets(_)) => Err(Error::Asked(
+            "'preintegrated' holds functions of the scalar alone, and the transfer function has widgets: use \
+             adaptive, or give the function as a curve"
+                .into(),
+        )),
+        _ => Ok(()),
     }
 }
 

@@ -91,7 +91,7 @@ fn psi(a: f32, b: f32) -> f32 {
 pub fn emission_weights(a: f32, b: f32) -> [f32; 2] {
     let sum = a + b;
     if sum < 4.0 {
-        return emission_weights_thin(a, b);
+        return thin(a, b, [1.0; 2]);
     }
     let change = b - a;
     let rest = attenuation(0.5 * sum);
@@ -103,8 +103,18 @@ pub fn emission_weights(a: f32, b: f32) -> [f32; 2] {
     [(mean - back).max(0.0), back]
 }
 
-/// By 6-point Gauss-Legendre.
-fn emission_weights_thin(a: f32, b: f32) -> [f32; 2] {
+/// `1 - psi` and `psi - zeta`, zeta = exp(-(a + b) / 2): the shares of the front and back colour where colour and extinction
+/// are linear. They sum to the opacity. Absolute error 6.8e-7.
+pub fn color_weights(a: f32, b: f32) -> [f32; 2] {
+    if a + b < 4.0 {
+        return thin(a, b, [a, b]);
+    }
+    let mean = psi(a, b);
+    [1.0 - mean, mean - attenuation(0.5 * (a + b))]
+}
+
+/// `int (1 - x) h(x) exp(-tau(x)) dx` and `int x h(x) exp(-tau(x)) dx` for linear h by its ends, by 6-point Gauss-Legendre.
+fn thin(a: f32, b: f32, h: [f32; 2]) -> [f32; 2] {
     const NODES: [(f32, f32); 6] = [
         (0.033_765_24, 0.085_662_246),
         (0.169_395_31, 0.180_380_79),
@@ -114,7 +124,8 @@ fn emission_weights_thin(a: f32, b: f32) -> [f32; 2] {
         (0.966_234_74, 0.085_662_246),
     ];
     NODES.iter().fold([0.0; 2], |[front, back], &(x, weight)| {
-        let seen = weight * attenuation(x * (a + 0.5 * x * (b - a)));
+        let height = (1.0 - x) * h[0] + x * h[1];
+        let seen = weight * height * attenuation(x * (a + 0.5 * x * (b - a)));
         [front + (1.0 - x) * seen, back + x * seen]
     })
 }
