@@ -6,29 +6,20 @@ mod common;
 
 use std::sync::Arc;
 
+use common::integral_scene::{camera, curve};
 use common::{gpu, meshes};
-use glam::DVec3;
 use tetralux::image::{Comparison, Image};
 use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
 use tetralux::plan::order::centroid_depth;
 use tetralux::renderer::{Frame, Renderer as _, SegmentIntegral, Settings};
-use tetralux::scene::{
-    Camera, Curve, CurveNode, EmissionModel, Optics, Projection, SinusoidVariant, TransferFunction, Widget,
-    WidgetShape, Window,
-};
+use tetralux::scene::{EmissionModel, Optics, SinusoidVariant, TransferFunction, Widget, WidgetShape, Window};
 use tetralux::tet::TetMesh;
 
 const SIZE: [u32; 2] = [96, 96];
 
 fn mesh() -> Arc<TetMesh> {
     meshes::sample(Sample::Tangle, 6_000)
-}
-
-fn camera(mesh: &TetMesh) -> Camera {
-    let (target, diagonal) = meshes::center_and_diagonal(mesh);
-    let eye = target + diagonal * DVec3::new(0.7, 0.45, 0.85);
-    Camera { eye, target, up: DVec3::Y, projection: Projection::Perspective { fov_y: 0.8 }, near: None }
 }
 
 /// Every shape in turn, in two colours and more.
@@ -72,24 +63,6 @@ fn widgets(mesh: &TetMesh) -> TransferFunction {
             )
         },
     ])
-}
-
-fn curve(mesh: &TetMesh) -> TransferFunction {
-    let s = mesh.scalar_range();
-    let (_, diagonal) = meshes::center_and_diagonal(mesh);
-    let nodes = [
-        (0.0, 0.0, [0.0, 0.0, 1.0]),
-        (0.3, 2.0, [0.0, 1.0, 1.0]),
-        (0.32, 60.0, [1.0, 0.2, 0.0]),
-        (0.35, 2.0, [1.0, 1.0, 0.0]),
-        (1.0, 15.0, [0.2, 1.0, 0.2]),
-    ];
-    let node = |(x, depth, color): (f64, f64, [f64; 3])| CurveNode {
-        scalar: s.min + x * s.length(),
-        color,
-        extinction: depth / diagonal,
-    };
-    TransferFunction::Curve(Curve { nodes: nodes.map(node).to_vec() })
 }
 
 fn draw(mesh: &Arc<TetMesh>, transfer: &TransferFunction, integral: &str, optics: &Optics) -> tetralux::Result<Image> {

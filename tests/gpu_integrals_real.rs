@@ -6,13 +6,14 @@ mod common;
 
 use std::sync::Arc;
 
+use common::integral_scene::curve;
 use common::{folder, gpu, meshes};
 use glam::DVec3;
 use tetralux::image::Comparison;
 use tetralux::oracle::Oracle;
 use tetralux::plan::order::centroid_depth;
 use tetralux::renderer::{Frame, Renderer as _, SegmentIntegral, Settings};
-use tetralux::scene::{Camera, Curve, CurveNode, Optics, Projection, TransferFunction, Widget, WidgetShape};
+use tetralux::scene::{Camera, Optics, Projection, TransferFunction, Widget, WidgetShape};
 use tetralux::tet::TetMesh;
 
 const SIZE: [u32; 2] = [128, 128];
@@ -45,25 +46,6 @@ fn widgets(mesh: &TetMesh) -> TransferFunction {
         Widget::new(wave, [0.9, 0.1, 0.2], 20.0 / diagonal),
         Widget::new(ramp, [0.1, 0.4, 1.0], 6.0 / diagonal),
     ])
-}
-
-/// Colours, and a thin band.
-fn curve(mesh: &TetMesh) -> TransferFunction {
-    let s = mesh.scalar_range();
-    let (_, diagonal) = meshes::center_and_diagonal(mesh);
-    let nodes = [
-        (0.0, 0.0, [0.0, 0.0, 1.0]),
-        (0.3, 2.0, [0.0, 1.0, 1.0]),
-        (0.32, 60.0, [1.0, 0.2, 0.0]),
-        (0.35, 2.0, [1.0, 1.0, 0.0]),
-        (1.0, 15.0, [0.2, 1.0, 0.2]),
-    ];
-    let node = |(x, depth, color): (f64, f64, [f64; 3])| CurveNode {
-        scalar: s.min + x * s.length(),
-        color,
-        extinction: depth / diagonal,
-    };
-    TransferFunction::Curve(Curve { nodes: nodes.map(node).to_vec() })
 }
 
 struct Expected {
