@@ -10,9 +10,9 @@ use common::delaunay;
 use common::random::Random;
 use glam::DVec3;
 use rayon::prelude::*;
-use tetralux::cpu::CellMesh;
+use tetralux::cpu::{Path, path};
 use tetralux::space::Ray;
-use tetralux::tet::{TetId, TetMesh};
+use tetralux::tet::{LinkedMesh, TetId, TetMesh};
 
 /// Of each mesh, in equal parts of each kind.
 const RAYS: usize = 66_672;
@@ -142,15 +142,15 @@ fn ray(hull: &Hull, kind: Kind, random: &mut Random) -> Ray {
 #[test]
 fn rays_pass_the_hulls_chord() {
     for hull in hulls() {
-        let cells = CellMesh::new(&hull.mesh);
+        let cells = LinkedMesh::new(&hull.mesh);
         for (seed, kind) in (1..).zip(KINDS) {
             let mut random = Random(seed);
             let rays: Vec<Ray> = (0..RAYS / KINDS.len()).map(|_| ray(&hull, kind, &mut random)).collect();
-            let paths: Vec<_> = rays.par_iter().map(|ray| cells.path(ray)).collect();
+            let paths: Vec<_> = rays.par_iter().map(|ray| path(&hull.mesh, &cells, ray)).collect();
             let mut errors: Vec<f64> =
                 rays.iter().zip(&paths).map(|(ray, path)| hull.error(ray, path.length)).collect();
             let worst = (0..errors.len()).max_by(|&i, &j| errors[i].total_cmp(&errors[j])).expect("rays");
-            let sum = |of: fn(&tetralux::cpu::Path) -> u64| paths.iter().map(of).sum::<u64>();
+            let sum = |of: fn(&Path) -> u64| paths.iter().map(of).sum::<u64>();
             let (steps, lost) = (sum(|p| p.steps), sum(|p| p.lost));
             let (worst_ray, worst_error) = (rays[worst], errors[worst]);
             errors.sort_by(f64::total_cmp);
@@ -197,10 +197,10 @@ fn a_missing_cell_is_seen() {
         } else {
             mesh.tets.swap_remove(largest);
         }
-        let cells = CellMesh::new(&mesh);
+        let cells = LinkedMesh::new(&mesh);
         let mut random = Random(1);
         let rays: Vec<Ray> = (0..20_000).map(|_| ray(hull, Kind::Random, &mut random)).collect();
-        let bad = rays.par_iter().filter(|ray| hull.error(ray, cells.path(ray).length) > WORST).count();
+        let bad = rays.par_iter().filter(|ray| hull.error(ray, path(&mesh, &cells, ray).length) > WORST).count();
         println!("{bad} of {} rays differ", rays.len());
         assert!(bad > 20, "{bad}");
     }

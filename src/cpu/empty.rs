@@ -3,10 +3,10 @@
 use glam::Vec2;
 use rayon::prelude::*;
 
-use crate::cpu::mesh::{Cell, CellMesh};
 use crate::cpu::segment::CurveMedium;
 use crate::cpu::transfer::Compiled;
 use crate::cpu::widgets::{AnyWidget, Classifier, extremes};
+use crate::tet::{Cell, LinkedMesh};
 
 /// Optical depth, and colour: a ray through 1,000 cells that are left out errs by 1e-6 at most.
 const INVISIBLE: f32 = 1e-9;
@@ -22,7 +22,7 @@ pub struct EmptyCells {
 impl EmptyCells {
     /// Conservative: a cell's values lie in the convex hull of its vertices' values, and what bounds the extinction there
     /// bounds the cell.
-    pub fn new(mesh: &CellMesh, compiled: &Compiled) -> Self {
+    pub fn new(mesh: &LinkedMesh, compiled: &Compiled) -> Self {
         let words = mesh
             .cells
             .par_chunks(64)
@@ -37,7 +37,7 @@ impl EmptyCells {
     }
 
     /// None.
-    pub fn none(mesh: &CellMesh) -> Self {
+    pub fn none(mesh: &LinkedMesh) -> Self {
         Self { words: vec![0; mesh.cells.len().div_ceil(64)] }
     }
 
@@ -56,7 +56,7 @@ impl EmptyCells {
 }
 
 /// Extinction and emission within the cell do not exceed it.
-fn cell_bound(mesh: &CellMesh, compiled: &Compiled, cell: &Cell) -> f32 {
+fn cell_bound(mesh: &LinkedMesh, compiled: &Compiled, cell: &Cell) -> f32 {
     let scalars = cell.vertices.map(|v| mesh.vertices[v as usize].w);
     let gradients = cell.vertices.map(|v| mesh.gradients[v as usize]);
     let corners = std::array::from_fn(|i| Vec2::new(scalars[i], gradients[i]));

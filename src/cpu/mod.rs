@@ -11,13 +11,13 @@
 //! are means of the face's corners weighted by the edges: between their extremes even in slivers, and equal for both
 //! cells of a face.
 //!
-//! Only the fourth vertex is new in a step, so a cell is 32 bytes (four vertices, four neighbours) and its step reads
+//! Only the fourth vertex is new in a step, so a cell is 32 bytes (four vertices, four links) and its step reads
 //! these and one vertex of 16.
 //!
 //! # Visibility
 //!
 //! Where rays may enter is found by rasterising the boundary faces, a little enlarged, into one list a pixel, of any length,
-//! sorted by depth (`surface.rs`). Whether they do is decided by the signs that the faces' edges have in the walk, so that
+//! sorted by depth (`plan/entries.rs`). Whether they do is decided by the signs that the faces' edges have in the walk, so that
 //! a ray enters a closed surface exactly as often as it leaves. Each entry starts one walk, and a walk ends at the
 //! boundary: holes, slits and concave parts need no special case.
 //!
@@ -27,21 +27,17 @@
 //! each segment is its closed form: of 1D functions in `segment.rs`, of widgets in `widgets/`. Widgets of several colours
 //! are bisected to the tolerance asked for.
 
-mod axis;
+mod axes;
 mod cast;
 mod empty;
-mod lens;
-mod mesh;
 mod path;
 mod preintegrated;
 mod renderer;
 mod segment;
-mod surface;
 mod transfer;
 mod walk;
 mod widgets;
 
-pub use mesh::CellMesh;
-pub use path::Path;
+pub use path::{Path, path};
 pub use renderer::{CpuRenderer, supports};
 pub use transfer::{Integrated, integrate};

@@ -3,10 +3,11 @@
 use glam::DVec2;
 
 use crate::cpu::cast;
-use crate::cpu::lens::Lens;
-use crate::cpu::mesh::CellMesh;
 use crate::cpu::walk::{Counts, Sink};
+use crate::plan::entries;
+use crate::plan::lens::Lens;
 use crate::space::Ray;
+use crate::tet::{LinkedMesh, TetMesh};
 
 /// What one ray meets.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,15 +33,12 @@ impl Sink for Length {
     }
 }
 
-impl CellMesh {
-    /// The part of `ray` (data space) with `t >= 0` inside the mesh, as pictures see it. Tries every boundary face, so it
-    /// is for single rays.
-    pub fn path(&self, ray: &Ray) -> Path {
-        let origin = (ray.origin - self.center_in_data) / self.data_per_mesh;
-        let lens = Lens::along(origin, ray.direction, 0.0);
-        let entries = self.surface.entries(&lens, DVec2::ZERO);
-        let (mut length, mut counts) = (Length(0.0), Counts::default());
-        cast::cast::<_, false>(self, &lens, DVec2::ZERO, &entries, &[], &mut length, &mut counts);
-        Path { length: length.0 * self.data_per_mesh, steps: counts.steps, lost: counts.lost }
-    }
+/// The part of `ray` (data space) with `t >= 0` inside the mesh, as pictures see it; `linked` is of `mesh`. Tries every
+/// boundary face, so it is for single rays.
+pub fn path(mesh: &TetMesh, linked: &LinkedMesh, ray: &Ray) -> Path {
+    let lens = Lens::along(mesh.mesh_from_data(ray.origin), ray.direction, 0.0);
+    let entries = entries::of_ray(&linked.boundary, &lens, DVec2::ZERO);
+    let (mut length, mut counts) = (Length(0.0), Counts::default());
+    cast::cast::<_, false>(linked, &lens, DVec2::ZERO, &entries, &[], &mut length, &mut counts);
+    Path { length: length.0 * mesh.data_per_mesh, steps: counts.steps, lost: counts.lost }
 }

@@ -8,23 +8,26 @@ use rayon::prelude::*;
 
 use crate::cpu::cast;
 use crate::cpu::empty::EmptyCells;
-use crate::cpu::lens::Lens;
-use crate::cpu::mesh::CellMesh;
 use crate::cpu::segment::Medium;
-use crate::cpu::surface::{SurfaceView, TILE};
 use crate::cpu::transfer::{Compiled, known};
 use crate::cpu::walk::{Counts, Sink};
 use crate::cpu::widgets::Axes;
 use crate::error::{Error, Result};
 use crate::image::Image;
+use crate::plan::entries::BoundaryView;
+use crate::plan::eye;
+use crate::plan::lens::Lens;
 use crate::renderer::{BufferSize, Frame, Method, PassTime, Rendered, Renderer, SegmentIntegral, Settings, Stats};
 use crate::scene::{Optics, TransferFunction};
-use crate::tet::TetMesh;
+use crate::tet::{LinkedMesh, Side, TetMesh};
+
+/// Pixels along a tile's side.
+const TILE: u32 = 32;
 
 /// Renders one mesh by casting rays through its cells, in f32 on all cores.
 pub struct CpuRenderer {
     mesh: Arc<TetMesh>,
-    cells: CellMesh,
+    cells: LinkedMesh,
     settings: Settings,
     scene: Option<Scene>,
 }
@@ -60,7 +63,7 @@ impl CpuRenderer {
                 "the CPU engine casts rays: ask for --method raycast, or for projection with --device gpu".into(),
             ));
         }
-        let cells = CellMesh::new(&mesh);
+        let cells = LinkedMesh::new(&mesh);
         Ok(Self { mesh, cells, settings, scene: None })
     }
 
@@ -74,7 +77,7 @@ impl CpuRenderer {
             return Ok(());
         }
         let cells = &self.cells;
-        let (scalar, gradient, data_per_mesh) = (cells.scalar, cells.gradient, cells.data_per_mesh);
+        let (scalar, gradient, data_per_mesh) = (cells.scalar, cells.gradient, self.mesh.data_per_mesh);
         // Fields at the ends of ranges are means of f32 values, and err by about as much.
         let axes = Axes { scalar, gradient, data_per_mesh, range_hair: 1e-7 };
         let compiled = Compiled::new(frame.transfer, self.settings.integral, &axes)?;
@@ -88,11 +91,11 @@ impl CpuRenderer {
         self.prepare_scene(frame)?;
         let scene = self.scene.as_ref().ok_or_else(|| Error::Asked("no scene was prepared".into()))?;
         let prepared = start.elapsed();
-        let lens = Lens::new(frame.camera, frame.size, &self.cells, self.mesh.bounds_in_data().diagonal());
+        let lens = Lens::new(frame.camera, frame.size, &self.mesh);
         let job = Job {
             mesh: &self.cells,
-            view: SurfaceView::new(&self.cells.surface, &lens, frame.size),
-            around: cast::cells_around_eye(&self.cells, &lens),
+            view: BoundaryView::new(&self.cells.boundary, &lens, frame.size, TILE),
+            around: eye::sides_around(&self.cells, &lens),
             lens,
             empty: &scene.empty,
             size: frame.size,
@@ -121,7 +124,7 @@ impl CpuRenderer {
         let Counts { steps, lost } = drawn.counts;
         let work = [
             format!("{cells} cells"),
-            format!("{} boundary faces", self.cells.surface.face_count()),
+            format!("{} boundary faces", self.cells.boundary.faces.len()),
             format!("{steps} steps"),
         ];
         let names = ["host: classify", "host: bin", "host: cast"];
@@ -172,9 +175,9 @@ impl Renderer for CpuRenderer {
 
 /// One picture of one medium.
 struct Job<'a> {
-    mesh: &'a CellMesh,
-    view: SurfaceView<'a>,
-    around: Vec<u32>,
+    mesh: &'a LinkedMesh,
+    view: BoundaryView<'a>,
+    around: Vec<Side>,
     lens: Lens,
     empty: &'a EmptyCells,
     size: [u32; 2],

@@ -2,7 +2,6 @@
 
 use glam::Vec4;
 
-use crate::cpu::axis::Axis;
 use crate::cpu::preintegrated::PreIntegratedMedium;
 use crate::cpu::segment::{CurveMedium, Medium as _, Piece};
 use crate::cpu::widgets::{
@@ -13,6 +12,7 @@ use crate::error::{Error, Result};
 use crate::renderer::SegmentIntegral;
 use crate::scene::{Curve, TransferFunction, Widget};
 use crate::space::Interval;
+use crate::tet::Axis;
 
 /// A transfer function that segments can be integrated with.
 #[derive(Clone, Debug)]

@@ -8,9 +8,8 @@
 
 use glam::{DVec2, Vec4};
 
-use crate::cpu::lens::RayAxes;
-use crate::cpu::mesh::CellMesh;
-use crate::tet::{FACES, NO_TET};
+use crate::cpu::axes::RayAxes;
+use crate::tet::{LinkedMesh, Side};
 
 /// What happened to rays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -42,6 +41,8 @@ pub trait Sink {
 #[derive(Clone, Copy, Debug)]
 pub struct Walk {
     cell: u32,
+    /// The cell's corner that is not on the face.
+    new: u32,
     triangle: Triangle,
     /// Distance along the ray up to which all is done.
     reached: f32,
@@ -54,6 +55,8 @@ pub struct Walk {
 #[derive(Clone, Copy, Debug)]
 struct Triangle {
     corners: [Corner; 3],
+    /// Which of the face's corners each is, in ascending order.
+    ranks: [u32; 3],
     gradients: [f32; 3],
     /// Twice the area of the triangle of the origin and the edge opposite each corner. Exact but for one rounding: the
     /// products of f32 numbers are f64 numbers.
@@ -62,7 +65,6 @@ struct Triangle {
 
 #[derive(Clone, Copy, Debug)]
 struct Corner {
-    id: u32,
     /// Across the ray.
     place: DVec2,
     /// In its last two components the distance along the ray, and the scalar.
@@ -71,9 +73,9 @@ struct Corner {
 
 impl Corner {
     #[inline(always)]
-    fn new(mesh: &CellMesh, axes: &RayAxes, id: u32) -> Self {
-        let values = axes.apply(mesh.vertices[id as usize]);
-        Self { id, place: DVec2::new(f64::from(values.x), f64::from(values.y)), values }
+    fn new(mesh: &LinkedMesh, axes: &RayAxes, vertex: u32) -> Self {
+        let values = axes.apply(mesh.vertices[vertex as usize]);
+        Self { place: DVec2::new(f64::from(values.x), f64::from(values.y)), values }
     }
 
     /// `self x other`: exactly the negative of `other x self`, and of the sign that exact arithmetic gives.
@@ -82,18 +84,18 @@ impl Corner {
         self.place.x * other.place.y - self.place.y * other.place.x
     }
 
-    /// Whether `self x other`, which is `value`, counts as positive.
-    fn turns_left_to(&self, value: f64, other: &Self) -> bool {
-        value > 0.0 || (value == 0.0 && self.tie(other))
+    /// Whether `self x other`, which is `value`, counts as positive. `before`: this one's vertex is the one of smaller id.
+    fn turns_left_to(&self, value: f64, other: &Self, before: bool) -> bool {
+        value > 0.0 || (value == 0.0 && self.tie(other, before))
     }
 
     /// Where the edge meets the ray: as if the ray were moved along the first axis by an infinitesimal, and along the second
     /// by one of that; of corners at one place, as if that of the larger id lay to the left by less still. Exactly one
     /// of (a, b) and (b, a) turns left.
     #[cold]
-    fn tie(&self, other: &Self) -> bool {
+    fn tie(&self, other: &Self, before: bool) -> bool {
         let (a, b) = (self.place, other.place);
-        a.y > b.y || (a.y == b.y && (b.x > a.x || (a.x == b.x && other.id > self.id)))
+        a.y > b.y || (a.y == b.y && (b.x > a.x || (a.x == b.x && before)))
     }
 }
 
@@ -124,30 +126,45 @@ const REPLACED: [usize; 8] = [2, 2, 0, 0, 1, 2, 1, 2];
 /// The corners after each, counter-clockwise.
 const OTHERS: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
 
-/// Which edges from `new` turn left, where some meet the ray.
+/// Which edges from `new`, the corner of that number, to those of `numbers` turn left, where some meet the ray.
 #[cold]
-fn ties(new: &Corner, to: [f64; 3], corners: [&Corner; 3]) -> [usize; 3] {
-    [0, 1, 2].map(|i| usize::from(new.turns_left_to(to[i], corners[i])))
+fn ties(new: &Corner, number: u32, to: [f64; 3], corners: &[Corner; 3], numbers: [u32; 3]) -> [usize; 3] {
+    [0, 1, 2].map(|i| usize::from(new.turns_left_to(to[i], &corners[i], number < numbers[i])))
+}
+
+/// The number of a cell's corner, of all but `without`, from its rank among them; and back.
+#[inline(always)]
+fn number_of(rank: u32, without: u32) -> u32 {
+    rank + u32::from(rank >= without)
+}
+
+#[inline(always)]
+fn rank_of(number: u32, without: u32) -> u32 {
+    number - u32::from(number > without)
 }
 
 impl Walk {
-    /// On the face of `cell` opposite a corner, ready to enter. What lies before `start` is not seen.
-    pub fn enter<const BIVARIATE: bool>(mesh: &CellMesh, axes: &RayAxes, cell: u32, opposite: u8, start: f32) -> Self {
-        let vertices = mesh.cells[cell as usize].vertices;
-        let ids = FACES[usize::from(opposite)].map(|corner| vertices[corner]);
+    /// On a cell's side, ready to enter. What lies before `start` is not seen.
+    pub fn enter<const BIVARIATE: bool>(mesh: &LinkedMesh, axes: &RayAxes, side: Side, start: f32) -> Self {
+        let (vertices, new) = (mesh.cells[side.cell as usize].vertices, side.opposite);
+        let ranks = side.ranks();
+        let ids = ranks.map(|rank| vertices[number_of(rank, new) as usize]);
         let corners = ids.map(|id| Corner::new(mesh, axes, id));
         let gradients = if BIVARIATE { ids.map(|id| mesh.gradients[id as usize]) } else { [0.0; 3] };
         let [a, b, c] = &corners;
-        let triangle = Triangle { edges: [b.cross(c), c.cross(a), a.cross(b)], corners, gradients };
+        let triangle = Triangle { edges: [b.cross(c), c.cross(a), a.cross(b)], corners, ranks, gradients };
         let first = (a.values.z, [a.values.w, gradients[0]]);
         let (depth, at) = triangle.at::<BIVARIATE>().unwrap_or(first);
-        Self { cell, triangle, reached: depth.max(start), depth, at }
+        Self { cell: side.cell, new, triangle, reached: depth.max(start), depth, at }
     }
 
     /// Whether the ray passes inside the face, in the direction into the cell, by the signs that edges have in the walk.
     pub fn is_inside(&self) -> bool {
-        let Triangle { corners: [a, b, c], edges: [u, v, w], .. } = &self.triangle;
-        b.turns_left_to(*u, c) && c.turns_left_to(*v, a) && a.turns_left_to(*w, b)
+        let Triangle { corners, edges, ranks, .. } = &self.triangle;
+        [(1, 2), (2, 0), (0, 1)]
+            .into_iter()
+            .zip(edges)
+            .all(|((a, b), &value)| corners[a].turns_left_to(value, &corners[b], ranks[a] < ranks[b]))
     }
 
     /// Distance along the ray up to which all is done.
@@ -164,12 +181,12 @@ impl Walk {
     #[inline]
     pub fn run<S: Sink, const BIVARIATE: bool>(
         &mut self,
-        mesh: &CellMesh,
+        mesh: &LinkedMesh,
         axes: &RayAxes,
         sink: &mut S,
         counts: &mut Counts,
     ) -> bool {
-        let Self { mut cell, mut triangle, mut reached, mut depth, mut at } = *self;
+        let Self { mut cell, mut new, mut triangle, mut reached, mut depth, mut at } = *self;
         // A walk enters no cell twice: this bound guards against a mesh that is none.
         let (mut steps, most) = (0, mesh.cells.len());
         let passed = loop {
@@ -179,27 +196,29 @@ impl Walk {
             }
             steps += 1;
             let here = &mesh.cells[cell as usize];
-            let [a, b, c, d] = here.vertices;
-            let [t0, t1, t2] = &triangle.corners;
-            // The one that is not on the face.
-            let new = Corner::new(mesh, axes, a ^ b ^ c ^ d ^ t0.id ^ t1.id ^ t2.id);
-            let to = [new.cross(t0), new.cross(t1), new.cross(t2)];
+            let vertex = here.vertices[new as usize];
+            let corner = Corner::new(mesh, axes, vertex);
+            let corners = &triangle.corners;
+            let to = [corner.cross(&corners[0]), corner.cross(&corners[1]), corner.cross(&corners[2])];
+            let numbers = triangle.ranks.map(|rank| number_of(rank, new));
             // No branches here: which way a ray goes cannot be predicted.
             let mut turns = to.map(|value| usize::from(value > 0.0));
             if (to[0] == 0.0) | (to[1] == 0.0) | (to[2] == 0.0) {
-                turns = ties(&new, to, [t0, t1, t2]);
+                turns = ties(&corner, new, to, corners, numbers);
             }
             let replaced = REPLACED[turns[0] | turns[1] << 1 | turns[2] << 2];
             let [second, third] = OTHERS[replaced];
+            let left = numbers[replaced];
+            triangle.ranks = numbers.map(|number| rank_of(number, left));
+            triangle.ranks[replaced] = rank_of(new, left);
             let wanted = sink.wants(cell);
             if BIVARIATE {
-                triangle.gradients[replaced] = mesh.gradients[new.id as usize];
+                triangle.gradients[replaced] = mesh.gradients[vertex as usize];
             }
-            let old = std::mem::replace(&mut triangle.corners[replaced], new).id;
+            triangle.corners[replaced] = corner;
             triangle.edges[second] = -to[third];
             triangle.edges[third] = to[second];
-            let across = usize::from(old == b) + 2 * usize::from(old == c) + 3 * usize::from(old == d);
-            let next = here.neighbors[across];
+            let link = here.links[left as usize];
             if let Some((new_depth, new_at)) = triangle.at::<BIVARIATE>() {
                 if new_depth > reached {
                     if wanted {
@@ -217,13 +236,13 @@ impl Walk {
                 }
                 (depth, at) = (new_depth, new_at);
             }
-            if next == NO_TET {
+            if link == LinkedMesh::NO_LINK {
                 break true;
             }
-            cell = next;
+            (cell, new) = (link >> 2, link & 3);
         };
         counts.steps += steps as u64;
-        *self = Self { cell, triangle, reached, depth, at };
+        *self = Self { cell, new, triangle, reached, depth, at };
         passed
     }
 }

@@ -5,34 +5,10 @@ use rayon::prelude::*;
 
 use crate::gpu::device::Gpu;
 use crate::plan::near::NearCut;
-use crate::space::Interval;
-use crate::tet::TetMesh;
+use crate::tet::{Axis, TetMesh};
 
 /// Ranges begin at multiples of this, so that every binding's offset is aligned.
 const RANGE_STEP: u64 = 65_536;
-
-/// Maps data units to 0..1, in f64, before anything is narrowed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Normalisation {
-    /// Data value that becomes 0.
-    pub low: f64,
-    /// Per data unit.
-    pub scale: f64,
-}
-
-impl Normalisation {
-    /// The range becomes 0..1; a range without extent becomes 0.
-    pub fn of(range: Interval) -> Self {
-        let length = range.length();
-        let low = if range.min.is_finite() { range.min } else { 0.0 };
-        Self { low, scale: if length > 0.0 { 1.0 / length } else { 1.0 } }
-    }
-
-    /// Data value to 0..1.
-    pub fn apply(self, value: f64) -> f64 {
-        (value - self.low) * self.scale
-    }
-}
 
 /// A part of the tetrahedra that fits one binding.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -60,9 +36,9 @@ pub struct MeshBuffers {
     /// Number of tetrahedra.
     pub tet_count: u32,
     /// How scalars became 0..1.
-    pub scalar: Normalisation,
+    pub scalar: Axis,
     /// How gradient magnitudes became 0..1.
-    pub gradient: Normalisation,
+    pub gradient: Axis,
     has_gradients: bool,
     // What `gradient_vectors` holds of the mesh.
     vectors: Vec<[f32; 3]>,
@@ -72,8 +48,8 @@ impl MeshBuffers {
     /// Uploads a mesh with room for `spare_vertices` more, and for `tet_capacity` tetrahedra in all (pieces of cells cut
     /// by the near plane).
     pub fn new(gpu: &Gpu, mesh: &TetMesh, spare_vertices: u64, tet_capacity: u64) -> Self {
-        let scalar = Normalisation::of(mesh.scalar_range());
-        let gradient = Normalisation::of(mesh.gradient_range());
+        let scalar = Axis::of(mesh.scalar_range());
+        let gradient = Axis::of(mesh.gradient_range());
         let positions: Vec<[f32; 4]> = mesh
             .vertices
             .par_iter()

@@ -4,11 +4,11 @@ use crate::error::{Error, Result};
 use crate::gpu::device::{Gpu, Resources};
 use crate::gpu::integral;
 use crate::gpu::layout::Piece;
-use crate::gpu::mesh::Normalisation;
 use crate::gpu::store::{DEEP_SPAN, SPAN_BITS};
 use crate::gpu::widgets::{Axes, MOST_KNOT_PIECES, MOST_WIDGETS, WidgetSet};
 use crate::renderer::SegmentIntegral;
 use crate::scene::{Curve, CurveNode, EmissionModel, TransferFunction};
+use crate::tet::Axis;
 
 /// Pieces of a curve that the shaders hold: the length of their uniform array; two more than the nodes, less one.
 pub const MOST_PIECES: usize = 1024;
@@ -51,8 +51,8 @@ impl TransferBuffers {
         transfer: &TransferFunction,
         integral: SegmentIntegral,
         emission: EmissionModel,
-        scalar: Normalisation,
-        gradient: Normalisation,
+        scalar: Axis,
+        gradient: Axis,
         data_per_mesh: f64,
     ) -> Result<Self> {
         let mut axes = Axes::normalised(scalar, gradient, data_per_mesh);
@@ -172,7 +172,7 @@ impl TransferBuffers {
 
 /// The curve's nodes, normalised, with their colours and extinctions; and one more at either end, so that the first and
 /// last piece are constant and reach beyond 0..1.
-fn curve_nodes(curve: &Curve, scalar: Normalisation, data_per_mesh: f64, color_scale: f64) -> Vec<(f64, [f64; 4])> {
+fn curve_nodes(curve: &Curve, scalar: Axis, data_per_mesh: f64, color_scale: f64) -> Vec<(f64, [f64; 4])> {
     let node = |n: &CurveNode| {
         let [r, g, b] = n.color.map(|c| c * color_scale);
         (scalar.apply(n.scalar), [r, g, b, n.extinction * data_per_mesh])

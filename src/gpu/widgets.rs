@@ -2,8 +2,8 @@
 
 use crate::error::{Error, Result};
 use crate::gpu::layout::Widget as GpuWidget;
-use crate::gpu::mesh::Normalisation;
 use crate::scene::{SinusoidVariant, Widget, WidgetShape, Window};
+use crate::tet::Axis;
 
 /// Widgets that the shaders hold: the length of their uniform array.
 pub const MOST_WIDGETS: usize = 64;
@@ -29,9 +29,9 @@ mod shape {
 #[derive(Clone, Copy, Debug)]
 pub struct Axes {
     /// Of the scalar.
-    pub scalar: Normalisation,
+    pub scalar: Axis,
     /// Of the gradient magnitude.
-    pub gradient: Normalisation,
+    pub gradient: Axis,
     /// See [`crate::tet::TetMesh`].
     pub data_per_mesh: f64,
     /// What colours are multiplied by: lengths of the mesh, where emission is not weighted by extinction.
@@ -44,14 +44,14 @@ pub struct Axes {
 
 impl Axes {
     /// For values between 0 and 1 that are interpolated on the device.
-    pub fn normalised(scalar: Normalisation, gradient: Normalisation, data_per_mesh: f64) -> Self {
+    pub fn normalised(scalar: Axis, gradient: Axis, data_per_mesh: f64) -> Self {
         // Scalars at entry and exit err by 3e-7.
         Self { scalar, gradient, data_per_mesh, color_scale: 1.0, range_hair: 1e-6, middle: Some([0.5; 2]) }
     }
 
     /// For values as they are.
     pub fn plain() -> Self {
-        let same = Normalisation { low: 0.0, scale: 1.0 };
+        let same = Axis::SAME;
         Self { scalar: same, gradient: same, data_per_mesh: 1.0, color_scale: 1.0, range_hair: 0.0, middle: None }
     }
 
@@ -77,7 +77,7 @@ impl WidgetSet {
     /// # Errors
     /// Values beyond f32.
     pub fn push(&mut self, w: &Widget, axes: &Axes) -> Result<()> {
-        let range = |range: Option<[f64; 2]>, axis: Normalisation| {
+        let range = |range: Option<[f64; 2]>, axis: Axis| {
             range.map_or(UNBOUNDED, |[low, high]| {
                 // Ends belong to the range: a hair wider, since values at the ends are computed.
                 let ends = [axis.apply(low) - axes.range_hair, axis.apply(high) + axes.range_hair];

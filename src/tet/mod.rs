@@ -3,6 +3,8 @@
 //! [`TetMesh::new`] makes it from what a file said and tells in a [`Census`] what it dropped or repaired on the way.
 
 mod adjacency;
+mod axis;
+mod boundary;
 mod build;
 mod cells;
 mod census;
@@ -10,6 +12,7 @@ mod field;
 mod geometry;
 mod gradient;
 mod histogram;
+mod linked;
 mod split;
 mod topology;
 mod weld;
@@ -17,11 +20,14 @@ mod weld;
 use glam::DVec3;
 
 pub use self::adjacency::{Adjacency, FACES};
+pub use self::axis::Axis;
+pub use self::boundary::{Boundary, BoundaryFace, Side};
 pub use self::build::BuildOptions;
 pub use self::census::{Census, Finding, KindCount};
 pub use self::field::FieldChoice;
 pub(crate) use self::geometry::is_positive;
 pub use self::histogram::JointHistogram;
+pub use self::linked::{Cell, LinkedMesh};
 pub use self::split::HexSplit;
 pub(crate) use self::split::split as split_cell;
 pub use self::topology::TopologyCensus;

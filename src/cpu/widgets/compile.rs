@@ -4,7 +4,6 @@ use std::f64::consts::SQRT_2;
 
 use glam::{Vec2, Vec4};
 
-use crate::cpu::axis::Axis;
 use crate::cpu::widgets::any::AnyWidget;
 use crate::cpu::widgets::gaussian::Gaussian;
 use crate::cpu::widgets::knots::{KnotPiece, Knots};
@@ -12,6 +11,7 @@ use crate::cpu::widgets::plain::PlainWidget;
 use crate::cpu::widgets::profile::{Phase, Profile, Wave};
 use crate::error::{Error, Result};
 use crate::scene::{SinusoidVariant, Widget, WidgetShape};
+use crate::tet::Axis;
 
 /// Normalised values lie between these whatever rounding does: of what is piecewise linear, no more is kept.
 const DOMAIN: [f64; 2] = [-0.25, 1.25];

@@ -1,106 +1,55 @@
-//! The boundary faces, and where rays enter through them.
+//! Where rays may enter a mesh: its boundary faces, in the tiles of a picture.
 
-use std::collections::HashMap;
-
-use glam::{DVec2, DVec3, Vec4};
+use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
-use crate::cpu::lens::Lens;
-use crate::cpu::mesh::Cell;
-use crate::tet::{FACES, NO_TET};
-
-/// Pixels along a tile's side.
-pub const TILE: u32 = 32;
-
-/// All boundary faces.
-#[derive(Debug)]
-pub struct Surface {
-    /// As rounded to f32 for the walk, so that both mean one geometry.
-    points: Vec<DVec3>,
-    faces: Vec<Face>,
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Face {
-    /// Counter-clockwise seen from outside.
-    points: [u32; 3],
-    cell: u32,
-    /// The opposite corner of the cell.
-    opposite: u8,
-}
+use crate::plan::lens::Lens;
+use crate::tet::{Boundary, Side};
 
 /// Where a ray may enter the mesh.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
-    pub cell: u32,
-    /// The corner opposite the face.
-    pub opposite: u8,
+    /// The face.
+    pub side: Side,
     /// View depth, mesh units.
     pub depth: f64,
 }
 
-/// The boundary as a lens sees it.
-pub struct SurfaceView<'a> {
-    surface: &'a Surface,
+/// The boundary as a lens sees it, in square tiles.
+pub struct BoundaryView<'a> {
+    boundary: &'a Boundary,
     /// View axes.
     points: Vec<DVec3>,
     perspective: bool,
+    /// Pixels along a tile's side.
+    side: u32,
     tiles: [u32; 2],
     /// Faces of tile `i`: `members[starts[i]..starts[i + 1]]`.
     starts: Vec<u32>,
     members: Vec<u32>,
 }
 
-impl Surface {
-    pub fn new(cells: &[Cell], vertices: &[Vec4]) -> Self {
-        let (mut points, mut faces) = (Vec::new(), Vec::new());
-        let mut numbers = HashMap::new();
-        for (cell, Cell { vertices: ids, neighbors }) in (0_u32..).zip(cells) {
-            for opposite in (0_u8..4).filter(|&i| neighbors[usize::from(i)] == NO_TET) {
-                let points = FACES[usize::from(opposite)].map(|corner| {
-                    *numbers.entry(ids[corner]).or_insert_with(|| {
-                        points.push(vertices[ids[corner] as usize].truncate().as_dvec3());
-                        points.len() as u32 - 1
-                    })
-                });
-                faces.push(Face { points, cell, opposite });
-            }
-        }
-        Self { points, faces }
-    }
-
-    pub fn bytes(&self) -> usize {
-        size_of_val(&self.points[..]) + size_of_val(&self.faces[..])
-    }
-
-    pub fn face_count(&self) -> usize {
-        self.faces.len()
-    }
-
-    fn view_points(&self, lens: &Lens) -> Vec<DVec3> {
-        self.points.par_iter().with_min_len(1024).map(|&p| lens.view(p)).collect()
-    }
-
-    /// All that may be entries of one ray by trying every face, nearest first.
-    pub fn entries(&self, lens: &Lens, film: DVec2) -> Vec<Entry> {
-        let points: Vec<DVec3> = self.points.iter().map(|&p| lens.view(p)).collect();
-        let entry = |face: &Face| {
+/// All that may be entries of one ray by trying every face, nearest first.
+pub fn of_ray(boundary: &Boundary, lens: &Lens, film: DVec2) -> Vec<Entry> {
+    let points: Vec<DVec3> = boundary.points.iter().map(|&p| lens.view(p)).collect();
+    let mut entries: Vec<Entry> = boundary
+        .faces
+        .iter()
+        .filter_map(|face| {
             let triangle = Triangle::new(face.points.map(|p| points[p as usize]), lens.perspective);
-            let depth = triangle.entry_depth(film)?;
-            Some(Entry { cell: face.cell, opposite: face.opposite, depth })
-        };
-        let mut entries: Vec<Entry> = self.faces.iter().filter_map(entry).collect();
-        entries.sort_by(|a, b| a.depth.total_cmp(&b.depth));
-        entries
-    }
+            triangle.entry_depth(film).map(|depth| Entry { side: face.side, depth })
+        })
+        .collect();
+    entries.sort_by(|a, b| a.depth.total_cmp(&b.depth));
+    entries
 }
 
-impl<'a> SurfaceView<'a> {
-    /// Sorts the faces into the tiles of a picture.
-    pub fn new(surface: &'a Surface, lens: &Lens, size: [u32; 2]) -> Self {
-        let points = surface.view_points(lens);
-        let tiles = size.map(|n| n.div_ceil(TILE));
-        let boxes: Vec<Option<[u32; 4]>> = surface
+impl<'a> BoundaryView<'a> {
+    /// Sorts the faces into the tiles, of so many pixels a side, of a picture.
+    pub fn new(boundary: &'a Boundary, lens: &Lens, size: [u32; 2], side: u32) -> Self {
+        let points: Vec<DVec3> = boundary.points.par_iter().with_min_len(1024).map(|&p| lens.view(p)).collect();
+        let tiles = size.map(|n| n.div_ceil(side));
+        let boxes: Vec<Option<[u32; 4]>> = boundary
             .faces
             .par_iter()
             .with_min_len(256)
@@ -109,7 +58,7 @@ impl<'a> SurfaceView<'a> {
                 if Triangle::new(corners, lens.perspective).surely_leaves() {
                     return None;
                 }
-                tiles_of(corners, lens, size)
+                tiles_of(corners, lens, size, side)
             })
             .collect();
         let tiles_in = |[x0, x1, y0, y1]: [u32; 4]| {
@@ -130,25 +79,31 @@ impl<'a> SurfaceView<'a> {
                 next[tile] += 1;
             }
         }
-        Self { surface, points, perspective: lens.perspective, tiles, starts, members }
+        Self { boundary, points, perspective: lens.perspective, side, tiles, starts, members }
     }
 
+    /// Tiles, row by row.
     pub fn tile_count(&self) -> u32 {
         self.tiles[0] * self.tiles[1]
     }
 
     /// The first pixel of a tile.
     pub fn tile_start(&self, tile: u32) -> [u32; 2] {
-        [tile % self.tiles[0] * TILE, tile / self.tiles[0] * TILE]
+        [tile % self.tiles[0] * self.side, tile / self.tiles[0] * self.side]
+    }
+
+    /// The sides that are seen in each tile, packed for shaders, behind where each tile's begin (and the last's end).
+    pub fn packed_tiles(&self) -> (&[u32], impl ExactSizeIterator<Item = u32>) {
+        (&self.starts, self.members.iter().map(|&member| self.boundary.faces[member as usize].side.packed()))
     }
 
     /// Where the rays of a tile's pixels may enter.
     pub fn tile_entries(&self, tile: u32, lens: &Lens, size: [u32; 2]) -> TileEntries {
         let [left, top] = self.tile_start(tile);
-        let [width, height] = [(size[0] - left).min(TILE), (size[1] - top).min(TILE)];
+        let [width, height] = [(size[0] - left).min(self.side), (size[1] - top).min(self.side)];
         let mut found: Vec<(u32, Entry)> = Vec::new();
         for &member in &self.members[self.starts[tile as usize] as usize..self.starts[tile as usize + 1] as usize] {
-            let face = &self.surface.faces[member as usize];
+            let face = &self.boundary.faces[member as usize];
             let corners = face.points.map(|p| self.points[p as usize]);
             let triangle = Triangle::new(corners, self.perspective);
             let [x0, x1, y0, y1] = pixel_box(corners, lens).unwrap_or([f64::NEG_INFINITY; 4]);
@@ -160,24 +115,26 @@ impl<'a> SurfaceView<'a> {
             for y in range(y0, y1, top, height) {
                 for x in range(x0, x1, left, width) {
                     if let Some(depth) = triangle.entry_depth(lens.film([left + x, top + y])) {
-                        found.push((y * TILE + x, Entry { cell: face.cell, opposite: face.opposite, depth }));
+                        found.push((y * self.side + x, Entry { side: face.side, depth }));
                     }
                 }
             }
         }
-        TileEntries::new(&found)
+        TileEntries::new(&found, self.side)
     }
 }
 
 /// Entries of a tile's pixels, nearest first.
 pub struct TileEntries {
+    /// Pixels along the tile's side.
+    side: u32,
     starts: Vec<u32>,
     entries: Vec<Entry>,
 }
 
 impl TileEntries {
-    fn new(found: &[(u32, Entry)]) -> Self {
-        let mut starts = vec![0_u32; (TILE * TILE) as usize + 1];
+    fn new(found: &[(u32, Entry)], side: u32) -> Self {
+        let mut starts = vec![0_u32; (side * side) as usize + 1];
         for (pixel, _) in found {
             starts[*pixel as usize + 1] += 1;
         }
@@ -185,7 +142,7 @@ impl TileEntries {
             starts[i] += starts[i - 1];
         }
         let mut next = starts.clone();
-        let mut entries = vec![Entry { cell: 0, opposite: 0, depth: 0.0 }; found.len()];
+        let mut entries: Vec<Entry> = found.iter().map(|&(_, entry)| entry).collect();
         for (pixel, entry) in found {
             let at = &mut next[*pixel as usize];
             entries[*at as usize] = *entry;
@@ -194,12 +151,12 @@ impl TileEntries {
         for pixel in starts.windows(2) {
             entries[pixel[0] as usize..pixel[1] as usize].sort_unstable_by(|a, b| a.depth.total_cmp(&b.depth));
         }
-        Self { starts, entries }
+        Self { side, starts, entries }
     }
 
     /// Those of one pixel.
     pub fn of(&self, x: u32, y: u32) -> &[Entry] {
-        let pixel = (y * TILE + x) as usize;
+        let pixel = (y * self.side + x) as usize;
         &self.entries[self.starts[pixel] as usize..self.starts[pixel + 1] as usize]
     }
 }
@@ -283,10 +240,10 @@ fn pixel_box(corners: [DVec3; 3], lens: &Lens) -> Option<[f64; 4]> {
 }
 
 /// First and last tile along x, then y, that the face may touch.
-fn tiles_of(corners: [DVec3; 3], lens: &Lens, size: [u32; 2]) -> Option<[u32; 4]> {
+fn tiles_of(corners: [DVec3; 3], lens: &Lens, size: [u32; 2], side: u32) -> Option<[u32; 4]> {
     let [x0, x1, y0, y1] = pixel_box(corners, lens)?;
     let range = |low: f64, high: f64, pixels: u32| {
-        let tile = |v: f64| (v.max(0.0) as u32 / TILE).min((pixels - 1) / TILE);
+        let tile = |v: f64| (v.max(0.0) as u32 / side).min((pixels - 1) / side);
         (high >= 0.0 && low <= f64::from(pixels)).then(|| [tile(low), tile(high)])
     };
     let ([x0, x1], [y0, y1]) = (range(x0, x1, size[0])?, range(y0, y1, size[1])?);

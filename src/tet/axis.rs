@@ -14,6 +14,9 @@ pub struct Axis {
 }
 
 impl Axis {
+    /// Changes nothing.
+    pub const SAME: Self = Self { low: 0.0, scale: 1.0, extent: 1.0 };
+
     /// The range becomes 0..1; a range without extent becomes 0.
     pub fn of(range: Interval) -> Self {
         let length = range.length();

@@ -1,0 +1,36 @@
+//! The cells that a camera stands in.
+
+use glam::{DVec3, Vec4Swizzles as _};
+use rayon::prelude::*;
+
+use crate::plan::lens::Lens;
+use crate::tet::{FACES, LinkedMesh, Side};
+
+/// Mesh units: what lies nearer behind a place than this is at that place.
+pub const HAIR: f32 = 1e-6;
+
+/// All sides of the cells that hold a perspective lens's eye, within what rays are moved by rounding: a ray begins where
+/// its line enters the cell, behind the eye.
+pub fn sides_around(mesh: &LinkedMesh, lens: &Lens) -> Vec<Side> {
+    if !lens.perspective {
+        return Vec::new();
+    }
+    let eye = lens.eye;
+    let hair = f64::from(HAIR);
+    let holds = |cell: &u32| {
+        let corners = mesh.cells[*cell as usize].vertices.map(|v| mesh.vertices[v as usize].xyz().as_dvec3() - eye);
+        let low = corners.into_iter().fold(DVec3::INFINITY, DVec3::min);
+        let high = corners.into_iter().fold(DVec3::NEG_INFINITY, DVec3::max);
+        let turn = if mesh.is_odd(*cell) { -1.0 } else { 1.0 };
+        low.max_element() <= hair
+            && high.min_element() >= -hair
+            && FACES.iter().all(|face| {
+                let [a, b, c] = face.map(|i| corners[i]);
+                let outward = turn * (b - a).cross(c - a);
+                outward.dot(a) >= -hair * outward.length()
+            })
+    };
+    let around: Vec<u32> = (0..mesh.cells.len() as u32).into_par_iter().filter(holds).collect();
+    let sides = |cell: u32| (0..4).map(move |opposite| Side::new(cell, opposite, mesh.is_odd(cell)));
+    around.into_iter().flat_map(sides).collect()
+}
