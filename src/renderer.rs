@@ -55,6 +55,18 @@ pub enum BlendFormat {
     F16,
 }
 
+/// How a device holds the cells that rays walk through.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum CellLayout {
+    /// Fast where it fits the device, compact otherwise.
+    #[default]
+    Auto,
+    /// Places and values at every corner of every cell: at most 96 bytes a tetrahedron.
+    Fast,
+    /// Places and values at vertices, found through the cells' corners: at most 40 bytes a tetrahedron.
+    Compact,
+}
+
 /// Choices that change how, not what, is rendered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
@@ -70,6 +82,8 @@ pub struct Settings {
     pub sort: SortPlace,
     /// What to blend into.
     pub blend: BlendFormat,
+    /// How a graphics device holds cells for ray casting.
+    pub layout: CellLayout,
     /// Rays end where less than this share of the light behind would be seen, 0 to 1; 0: only at the mesh's end. The
     /// picture errs by at most as much, times the colours behind.
     pub least_transmittance: f64,
@@ -84,6 +98,7 @@ impl Default for Settings {
             cull: true,
             sort: SortPlace::default(),
             blend: BlendFormat::default(),
+            layout: CellLayout::default(),
             least_transmittance: 1e-5,
         }
     }
@@ -139,6 +154,11 @@ pub struct Stats {
     pub pipelines: String,
     /// Choices that the renderer made, one sentence each.
     pub notes: Vec<String>,
+}
+
+/// A note on rays that were given up.
+pub(crate) fn lost_rays(count: u64) -> String {
+    format!("{count} rays entered more cells than there are and were given up: the mesh's faces do not fit")
 }
 
 /// A picture and how it came to be.

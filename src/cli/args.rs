@@ -189,6 +189,9 @@ pub(super) struct ChoiceArgs {
     /// What is blended into; auto: f32 where the adapter can
     #[arg(long, default_value = "auto")]
     pub blend: Blend,
+    /// How a graphics device holds cells for ray casting; auto: fast where it fits
+    #[arg(long, default_value = "auto")]
+    pub layout: Layout,
     /// Keep cells that the transfer function leaves empty
     #[arg(long)]
     pub no_cull: bool,
@@ -221,9 +224,24 @@ impl ChoiceArgs {
                 Blend::F32 => renderer::BlendFormat::F32,
                 Blend::F16 => renderer::BlendFormat::F16,
             },
+            layout: match self.layout {
+                Layout::Auto => renderer::CellLayout::Auto,
+                Layout::Fast => renderer::CellLayout::Fast,
+                Layout::Compact => renderer::CellLayout::Compact,
+            },
             least_transmittance: self.least_transmittance,
         }
     }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum Layout {
+    Auto,
+    /// At most 96 bytes a tetrahedron
+    Fast,
+    /// At most 40
+    Compact,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

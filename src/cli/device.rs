@@ -7,7 +7,7 @@ use indicatif::ProgressBar;
 use super::args::Device;
 use crate::cpu::{self, CpuRenderer};
 use crate::error::{Error, Result};
-use crate::gpu::{DeviceChoice, Gpu, GpuRenderer};
+use crate::gpu::{DeviceChoice, Gpu, GpuRenderer, RayCaster};
 use crate::oracle::Oracle;
 use crate::renderer::{Method, Renderer, Settings};
 use crate::scene::{Optics, TransferFunction};
@@ -33,8 +33,8 @@ pub(super) fn renderer(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) 
     let renderer = match wish.device {
         Device::Oracle => reference(mesh, bar),
         Device::Cpu => cast(mesh, settings)?,
-        Device::Gpu => project(Gpu::new(DeviceChoice::Any)?, mesh, settings)?,
-        Device::Software => project(Gpu::new(DeviceChoice::Software)?, mesh, settings)?,
+        Device::Gpu => on_gpu(Gpu::new(DeviceChoice::Any)?, mesh, settings)?,
+        Device::Software => on_gpu(Gpu::new(DeviceChoice::Software)?, mesh, settings)?,
         Device::Auto => return automatic(mesh, wish, bar),
     };
     Ok(Chosen { renderer, note: None })
@@ -44,11 +44,8 @@ pub(super) fn renderer(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) 
 fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<Chosen> {
     let settings = wish.settings;
     let chosen = |renderer, note: &str| Ok(Chosen { renderer, note: (!note.is_empty()).then(|| note.into()) });
-    if settings.method == Method::RayCast {
-        return chosen(cast(mesh, settings)?, "");
-    }
-    let castable =
-        settings.method == Method::Auto && cpu::supports(wish.transfer, wish.optics, settings.integral).is_ok();
+    let castable = matches!(settings.method, Method::Auto | Method::RayCast)
+        && cpu::supports(wish.transfer, wish.optics, settings.integral).is_ok();
     match Gpu::new(DeviceChoice::Any) {
         Ok(gpu) if gpu.is_software() && castable => chosen(
             cast(mesh, settings)?,
@@ -57,7 +54,7 @@ fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<
                 gpu.info.name
             ),
         ),
-        Ok(gpu) => chosen(project(gpu, mesh, settings)?, ""),
+        Ok(gpu) => chosen(on_gpu(gpu, mesh, settings)?, ""),
         Err(Error::Device(_)) if castable => {
             chosen(cast(mesh, settings)?, "no graphics adapter was found: rays are cast on the CPU")
         }
@@ -73,8 +70,11 @@ fn cast(mesh: &Arc<TetMesh>, settings: Settings) -> Result<Box<dyn Renderer>> {
     Ok(Box::new(CpuRenderer::new(Arc::clone(mesh), settings)?))
 }
 
-fn project(gpu: Gpu, mesh: &Arc<TetMesh>, settings: Settings) -> Result<Box<dyn Renderer>> {
-    Ok(Box::new(GpuRenderer::new(gpu, Arc::clone(mesh), settings)?))
+fn on_gpu(gpu: Gpu, mesh: &Arc<TetMesh>, settings: Settings) -> Result<Box<dyn Renderer>> {
+    Ok(match settings.method {
+        Method::RayCast => Box::new(RayCaster::new(gpu, Arc::clone(mesh), settings)?),
+        Method::Auto | Method::Project => Box::new(GpuRenderer::new(gpu, Arc::clone(mesh), settings)?),
+    })
 }
 
 fn reference(mesh: &Arc<TetMesh>, bar: &ProgressBar) -> Box<dyn Renderer> {

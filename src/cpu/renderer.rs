@@ -132,9 +132,7 @@ impl CpuRenderer {
         let pass = |((name, work), time): ((&str, String), Duration)| PassTime { pass: name.into(), work, time };
         let mut notes = Vec::new();
         if lost > 0 {
-            notes.push(format!(
-                "{lost} rays entered more cells than there are and were given up: the mesh's faces do not fit"
-            ));
+            notes.push(crate::renderer::lost_rays(lost));
         }
         let sizes = self.cells.sizes().into_iter();
         let sizes = sizes.chain(scene.map(|s| ("empty cells", s.empty.bytes())));

@@ -6,8 +6,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use crate::error::{Error, Result};
 use crate::gpu::shader::{Binding, BindingKind, Module};
 
-/// What the projection's shader binds.
-const MOST_STORAGE_BUFFERS: u32 = 13;
+/// What the largest shader, that of ray casting, binds.
+const MOST_STORAGE_BUFFERS: u32 = 17;
 
 /// Which adapters may be used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -412,6 +412,11 @@ fn layout_entry(binding: &Binding) -> wgpu::BindGroupLayoutEntry {
                 sample_type: wgpu::TextureSampleType::Float { filterable: false },
                 view_dimension: wgpu::TextureViewDimension::D2,
                 multisampled: false,
+            },
+            BindingKind::WriteTexture => wgpu::BindingType::StorageTexture {
+                access: wgpu::StorageTextureAccess::WriteOnly,
+                format: wgpu::TextureFormat::Rgba32Float,
+                view_dimension: wgpu::TextureViewDimension::D2,
             },
         },
         count: None,

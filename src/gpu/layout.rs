@@ -28,6 +28,26 @@ pub struct Frame {
     pub pad_b: f32,
 }
 
+/// `shared/ray.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "the fields are documented in the shader")]
+pub struct Rays {
+    pub right: [f32; 3],
+    pub least_transmittance: f32,
+    pub up: [f32; 3],
+    pub near: f32,
+    pub forward: [f32; 3],
+    pub around: u32,
+    pub film: [f32; 2],
+    pub film_step: [f32; 2],
+    pub start: [f32; 2],
+    pub start_step: [f32; 2],
+    pub pixel: [i32; 2],
+    pub size: [u32; 2],
+    pub background: [f32; 4],
+}
+
 /// `shared/light.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]

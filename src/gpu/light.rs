@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 
+use crate::error::{Error, Result};
 use crate::gpu::layout;
-use crate::scene::{Basis, LightSpace, Optics, SilhouetteMode};
+use crate::scene::{Basis, EmissionModel, LightSpace, Optics, SilhouetteMode};
 
 /// The kinds of shading that a scene uses; the rest is compiled away.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -40,6 +41,21 @@ impl Shading {
         };
         [("SHADED", flag(self.is_on())), ("LIT", flag(self.lit)), ("OUTLINE", outline)]
     }
+}
+
+/// What cannot be drawn.
+///
+/// # Errors
+/// Lit unweighted emission: the weight of highlights would be the integral of the profiles, which no kernel returns.
+pub fn check(optics: &Optics) -> Result<()> {
+    if optics.emission == EmissionModel::Unweighted && optics.lighting.is_some() {
+        return Err(Error::Asked(
+            "lighting of unweighted emission cannot be drawn on a graphics device: use --device oracle, or weighted \
+             emission"
+                .into(),
+        ));
+    }
+    Ok(())
 }
 
 /// What `shared/light.wgsl` reads, for the camera that `basis` belongs to. Zeros for what is off.

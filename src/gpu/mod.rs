@@ -6,7 +6,10 @@ mod frame;
 mod integral;
 pub mod layout;
 mod light;
+mod linked;
 mod mesh;
+mod raycast;
+mod rays;
 mod record;
 mod renderer;
 mod scene;
@@ -20,4 +23,5 @@ mod transfer;
 mod widgets;
 
 pub use device::{DeviceChoice, Gpu};
+pub use raycast::RayCaster;
 pub use renderer::GpuRenderer;

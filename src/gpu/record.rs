@@ -17,6 +17,8 @@ pub enum Work<'a> {
     Items(u32),
     /// Workgroups as they are.
     Groups(u32),
+    /// Workgroups along x and y.
+    Tiles([u32; 2]),
     /// Workgroup counts read from a buffer at this offset.
     Indirect(&'a wgpu::Buffer, u64),
 }
@@ -69,6 +71,7 @@ impl<'g> Recorder<'g> {
         let text = match work {
             Work::Items(n) => format!("{n} items"),
             Work::Groups(n) => format!("{n} groups"),
+            Work::Tiles([x, y]) => format!("{x} x {y} tiles"),
             Work::Indirect(..) => "indirect".to_owned(),
         };
         self.timed(kernel.name, text, |recorder, queries| {
@@ -94,6 +97,7 @@ impl<'g> Recorder<'g> {
                     let [x, y] = grid(n);
                     pass.dispatch_workgroups(x, y, 1);
                 }
+                Work::Tiles([x, y]) => pass.dispatch_workgroups(x, y, 1),
                 Work::Indirect(buffer, offset) => pass.dispatch_workgroups_indirect(buffer, offset),
             }
         })

@@ -64,9 +64,7 @@ impl GpuRenderer {
     /// A mesh beyond the device's limits (with the numbers), a device that refuses or cannot blend as asked.
     pub fn new(gpu: Gpu, mesh: Arc<TetMesh>, settings: Settings) -> Result<Self> {
         if settings.method == Method::RayCast {
-            return Err(Error::Asked(
-                "graphics devices do not cast rays yet: use --device cpu, or --method project".into(),
-            ));
+            return Err(Error::Asked("this renderer projects cells: make a RayCaster to cast rays".into()));
         }
         let f16 = match settings.blend {
             BlendFormat::Auto => !gpu.blends_f32(),
@@ -213,14 +211,7 @@ impl GpuRenderer {
 
     /// Draws a frame; the picture is left in the target.
     fn draw_frame(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Drawn> {
-        // The weight of highlights would be the integral of the profiles, which no kernel returns.
-        if frame.optics.emission == EmissionModel::Unweighted && frame.optics.lighting.is_some() {
-            return Err(Error::Asked(
-                "lighting of unweighted emission cannot be drawn on a graphics device: use --device oracle, or \
-                 weighted emission"
-                    .into(),
-            ));
-        }
+        light::check(frame.optics)?;
         let perspective = matches!(frame.camera.projection, Projection::Perspective { .. });
         let variant = Variant { perspective, shading: Shading::of(frame.optics) };
         self.prepare_scene(frame.transfer, frame.optics.emission, variant)?;

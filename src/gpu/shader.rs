@@ -26,21 +26,26 @@ const SOURCES: &[(&str, &str)] = sources![
     "math/unweighted",
     "math/waves",
     "math/widget",
+    "occupied",
     "preintegrate",
     "project",
     "psi_table",
     "raster",
+    "raycast",
     "resolve",
     "segments",
     "shared/adaptive",
     "shared/bands",
+    "shared/bound",
     "shared/counts",
     "shared/curves",
     "shared/frame",
     "shared/integrals",
     "shared/light",
+    "shared/linked",
     "shared/points",
     "shared/range",
+    "shared/ray",
     "shared/scan",
     "shared/special",
     "shared/table",
@@ -116,6 +121,8 @@ pub enum BindingKind {
     ReadWrite,
     /// `texture_2d<f32>`, loaded without filtering.
     Texture,
+    /// `texture_storage_2d<rgba32float, write>`.
+    WriteTexture,
 }
 
 /// A composed, validated shader.
@@ -164,7 +171,10 @@ impl Module {
                     BindingKind::ReadWrite
                 }
                 naga::AddressSpace::Storage { .. } => BindingKind::Read,
-                _ => BindingKind::Texture,
+                _ => match module.types[variable.ty].inner {
+                    naga::TypeInner::Image { class: naga::ImageClass::Storage { .. }, .. } => BindingKind::WriteTexture,
+                    _ => BindingKind::Texture,
+                },
             };
             let name = variable.name.clone().unwrap_or_default();
             let (group, index) = (place.group, place.binding);

@@ -61,7 +61,8 @@ impl Target {
         let bound = wgpu::TextureUsages::TEXTURE_BINDING;
         let f32_format = wgpu::TextureFormat::Rgba32Float;
         let blend_format = if f16 { wgpu::TextureFormat::Rgba16Float } else { f32_format };
-        let picture_texture = texture("picture", f32_format, wgpu::TextureUsages::COPY_SRC);
+        let picture_texture =
+            texture("picture", f32_format, wgpu::TextureUsages::COPY_SRC | wgpu::TextureUsages::STORAGE_BINDING);
         Ok(Self {
             size,
             blended: view(&texture("blended", blend_format, bound)),

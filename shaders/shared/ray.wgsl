@@ -1,0 +1,81 @@
+// One ray: where vertices lie across it, and on which side of it edges pass. One answer each, whatever rounding does.
+
+// Rays through a picture's pixels, in mesh space.
+struct Rays {
+    right: vec3f,
+    // Rays end where no more than this share of what lies behind is seen.
+    least_transmittance: f32,
+    up: vec3f,
+    // View depth where the picture begins, from that of the mesh's centre.
+    near: f32,
+    forward: vec3f,
+    // Sides of the cells around the eye.
+    around: u32,
+    // Of the ray through `pixel`, the one nearest to the mesh's centre: x/z and y/z (perspective), and where the centre lies
+    // from it, along `right` and `up` at its depth. And their change from pixel to pixel.
+    film: vec2f,
+    film_step: vec2f,
+    start: vec2f,
+    start_step: vec2f,
+    pixel: vec2i,
+    size: vec2u,
+    background: vec4f,
+}
+
+@group(0) @binding(2) var<uniform> rays: Rays;
+
+// True for a perspective camera.
+override PERSPECTIVE: bool = true;
+
+struct Ray {
+    // Unit vectors across the ray, in the planes of right and forward, and of up and forward.
+    x_row: vec3f,
+    x_offset: f32,
+    y_row: vec3f,
+    y_offset: f32,
+    // x/z and y/z.
+    film: vec2f,
+    // Length along the ray per depth.
+    stretch: f32,
+}
+
+fn ray_through(pixel: vec2u) -> Ray {
+    let away = vec2f(vec2i(pixel) - rays.pixel);
+    let start = rays.start - rays.start_step * away;
+    if !PERSPECTIVE {
+        return Ray(rays.right, start.x, rays.up, start.y, vec2f(0.0), 1.0);
+    }
+    let film = rays.film + rays.film_step * away;
+    let unit = inverseSqrt(1.0 + film * film);
+    return Ray(unit.x * (rays.right - film.x * rays.forward), unit.x * start.x,
+               unit.y * (rays.up - film.y * rays.forward), unit.y * start.y, film, sqrt(1.0 + dot(film, film)));
+}
+
+// Across the ray, in 2^-23 mesh units: whole numbers that f32 holds. A vertex is at one place for all of its cells, so this
+// must be the same arithmetic wherever it stands: fma leaves compilers no choice. The mesh lies within 1 of the origin, so
+// what is farther than 2 from a ray that meets it is on no cell that the ray meets, and may be anywhere there.
+fn place_across(ray: Ray, p: vec3f) -> vec2f {
+    let x = fma(p.z, ray.x_row.z, fma(p.y, ray.x_row.y, fma(p.x, ray.x_row.x, ray.x_offset)));
+    let y = fma(p.z, ray.y_row.z, fma(p.y, ray.y_row.y, fma(p.x, ray.y_row.x, ray.y_offset)));
+    return clamp(round(8388608.0 * vec2f(x, y)), vec2f(-16777216.0), vec2f(16777216.0));
+}
+
+// View depth from that of the mesh's centre.
+fn depth_of(p: vec3f) -> f32 {
+    return fma(p.z, rays.forward.z, fma(p.y, rays.forward.y, p.x * rays.forward.x));
+}
+
+// Whether the ray lies to the left of three edges from a to b, places across the ray; `before`: a's vertex comes before b's.
+//
+// a x b is below 2^49, and f32 errs by less than 2^-22 of its two products: a sign beyond that is right. What is less
+// is below 2^31, so that the 32-bit product, which is right but for multiples of 2^32, is the exact value. Edges that
+// meet the ray count as if it were moved along the first axis by an infinitesimal, and along the second by one of that;
+// of vertices at one place, as if the later one lay to the left by less still. Exactly one of (a, b) and (b, a) turns left.
+fn turn_left(ax: vec3f, ay: vec3f, bx: vec3f, by: vec3f, before: vec3<bool>) -> vec3<bool> {
+    let p = ax * by;
+    let q = ay * bx;
+    let is_sure = abs(p - q) > 2.384185791015625e-7 * (abs(p) + abs(q));
+    let exact = vec3i(ax) * vec3i(by) - vec3i(ay) * vec3i(bx);
+    let tie = (ay > by) | ((ay == by) & ((bx > ax) | ((bx == ax) & before)));
+    return select((exact > vec3i(0)) | ((exact == vec3i(0)) & tie), p > q, is_sure);
+}

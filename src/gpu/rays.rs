@@ -1,0 +1,42 @@
+//! The rays of a picture as shaders see them.
+
+use glam::{DVec2, DVec3};
+
+use crate::gpu::layout;
+use crate::plan::lens::Lens;
+
+/// What `shared/ray.wgsl` reads. `around`: how many sides of cells hold the eye.
+///
+/// Everything is counted from the mesh's centre and the ray that passes nearest to it, in f64: neither a far eye nor a
+/// picture much larger than the mesh costs digits.
+pub fn uniform(
+    lens: &Lens,
+    size: [u32; 2],
+    around: u32,
+    least_transmittance: f64,
+    background: [f32; 4],
+) -> layout::Rays {
+    let center = lens.view(DVec3::ZERO);
+    // Film positions are at depth 1; parallel rays are as far apart everywhere.
+    let depth = if lens.perspective { center.z } else { 1.0 };
+    let on_film = center.truncate() / depth;
+    let nearest = if depth > 0.0 && on_film.is_finite() { lens.pixel(on_film).floor() } else { DVec2::ZERO };
+    let pixel = nearest.clamp(DVec2::ZERO, DVec2::new(f64::from(size[0]), f64::from(size[1])));
+    let film = lens.film_origin + lens.film_step * (pixel + 0.5);
+    let f32s = |v: DVec2| v.as_vec2().to_array();
+    layout::Rays {
+        right: lens.basis.right.as_vec3().to_array(),
+        least_transmittance: least_transmittance as f32,
+        up: lens.basis.up.as_vec3().to_array(),
+        near: (lens.near - center.z) as f32,
+        forward: lens.basis.forward.as_vec3().to_array(),
+        around,
+        film: f32s(film),
+        film_step: f32s(lens.film_step),
+        start: f32s(center.truncate() - depth * film),
+        start_step: f32s(depth * lens.film_step),
+        pixel: pixel.as_ivec2().to_array(),
+        size,
+        background,
+    }
+}
