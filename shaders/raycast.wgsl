@@ -9,6 +9,9 @@
 //
 // Where rays enter: through the boundary faces of their tile that hold them, one walk each, in the order of depth. The next
 // one is searched for when a walk has ended, so that there is no limit to their number.
+//
+// A dispatch ends rays after MOST_TURNS turns of loops; those that have not come through go on in the next one from what
+// they left in `states`. Devices stop what takes long, and lavapipe ends all loops of an invocation after 65,535 turns.
 
 @group(3) @binding(0) var<storage, read> occupied: array<u32>; // one bit a cell: not transparent
 // The sides around the eye; where each tile's sides begin (and the last's end), in this array; the tiles' sides. A side
@@ -16,7 +19,10 @@
 // ascending, are to be exchanged to be counter-clockwise from outside.
 @group(3) @binding(1) var<storage, read> entries: array<u32>;
 @group(3) @binding(2) var picture: texture_storage_2d<rgba32float, write>;
-// Cells entered, and walks given up, in each tile.
+// Four words of a vector a pixel of the slab (see `load_ray`).
+@group(3) @binding(4) var<storage, read_write> states: array<vec4u>;
+@group(3) @binding(5) var<storage, read_write> unfinished: atomic<u32>;
+// Cells entered, steps whose exit lies before their entry, and walks given up, in each tile.
 @group(3) @binding(3) var<storage, read_write> tallies: array<atomic<u32>>;
 
 override SHADED: bool = false;
@@ -26,8 +32,8 @@ const FAR = 1e30;
 const NO_SIDE = 0xffffffffu;
 // Mesh units: what lies nearer behind a place than this is at that place.
 const HAIR = 1e-6;
-// Fewer turns than lavapipe ends a loop after.
-const TURNS = 32768u;
+
+override MOST_TURNS: u32 = 8192u;
 
 // Values along a ray.
 struct Values {
@@ -52,12 +58,36 @@ struct Triangle {
     vectors: mat3x3f,
 }
 
-// The next entry of a ray.
+// Where a ray enters.
 struct Entry {
     depth: f32,
     side: u32,
-    // Entries from there on, this one included.
-    count: u32,
+}
+
+// What a ray has seen so far, and where it is.
+struct Way {
+    color: vec3f,
+    transmittance: f32,
+    // Where the walk goes on; NO_SIDE between walks.
+    side: u32,
+    // Depth up to which the walk has done all.
+    reached: f32,
+    // How far the ray is done by walks that did not begin at the boundary: what they passed must not be passed again.
+    covered: f32,
+    // First come the cells around the eye: rays enter them where their line does, behind the eye.
+    is_around: bool,
+    // The last.
+    entry: Entry,
+    // The nearest one found behind it, how many there are, and what was searched.
+    next: Entry,
+    found: u32,
+    index: u32,
+    // Steps of the walk.
+    walked: u32,
+    // Since the dispatch began.
+    steps: u32,
+    repaired: u32,
+    lost: u32,
 }
 
 // The numbers of a cell's corners from their ranks among all but `without`.
@@ -101,26 +131,24 @@ fn values_of(t: Triangle, weights: vec3f) -> Values {
     return values;
 }
 
-// The nearest side of entries[list.x .. list.y] through which the ray enters behind the last one.
-fn next_entry(ray: Ray, list: vec2u, behind: Entry) -> Entry {
-    var next = Entry(FAR, NO_SIDE, 0u);
-    for (var first = list.x; first < list.y; first += TURNS) {
-        for (var i = first; i < min(first + TURNS, list.y); i++) {
-            let side = entries[i];
-            let t = outline(ray, side);
-            let holds = all(turn_left(t.x.yzx, t.y.yzx, t.x.zxy, t.y.zxy, t.ranks.yzx < t.ranks.zxy));
-            let weights = weights_of(t);
-            let depth = select(t.depths.x, dot(t.depths, weights), any(weights > vec3f(0.0)));
-            if holds && (depth > behind.depth || (depth == behind.depth && side > behind.side)) {
-                next.count++;
-                if depth < next.depth || (depth == next.depth && side < next.side) {
-                    next.depth = depth;
-                    next.side = side;
-                }
+// Looks for the nearest side of entries[.. end] through which the ray enters behind its last entry, while there are turns.
+fn search(ray: Ray, way: ptr<function, Way>, end: u32) {
+    let last = (*way).entry;
+    for (; (*way).index < end && turns_taken < MOST_TURNS; (*way).index++) {
+        turns_taken++;
+        let side = entries[(*way).index];
+        let t = outline(ray, side);
+        let holds = all(turn_left(t.x.yzx, t.y.yzx, t.x.zxy, t.y.zxy, t.ranks.yzx < t.ranks.zxy));
+        let weights = weights_of(t);
+        let depth = select(t.depths.x, dot(t.depths, weights), any(weights > vec3f(0.0)));
+        if holds && (depth > last.depth || (depth == last.depth && side > last.side)) {
+            (*way).found++;
+            let next = (*way).next;
+            if depth < next.depth || (depth == next.depth && side < next.side) {
+                (*way).next = Entry(depth, side);
             }
         }
     }
-    return next;
 }
 
 // On a side, with all values.
@@ -152,82 +180,76 @@ fn seen_between(ray: Ray, front: Values, back: Values, extent: f32) -> vec4f {
     return with_factors(segment(ends, magnitudes, extent * f.density), f);
 }
 
-// What a ray has seen so far.
-struct Way {
-    color: vec3f,
-    transmittance: f32,
-    // Depth up to which all is done.
-    reached: f32,
-    steps: u32,
-    lost: u32,
-}
-
-// Through the cell behind a side, and all that follow, to the boundary or until nothing more is seen.
-fn walk(ray: Ray, side: u32, way: ptr<function, Way>) {
-    var cell = side >> 3u;
-    var corner = (side >> 1u) & 3u; // not on the face
-    var t = enter(ray, side);
+// Through cells, from the one behind `way.side`, to the boundary, or until nothing more is seen or turns run out.
+fn walk(ray: Ray, way: ptr<function, Way>) {
+    var cell = (*way).side >> 3u;
+    var corner = ((*way).side >> 1u) & 3u; // not on the face
+    var t = enter(ray, (*way).side);
     // Where the ray was last on a face that is not seen edge-on.
     var weights = weights_of(t);
-    if all(weights == vec3f(0.0)) {
-        weights = vec3f(1.0, 0.0, 0.0);
+    var is_edge_on = all(weights == vec3f(0.0));
+    var at = values_of(t, select(weights, vec3f(1.0, 0.0, 0.0), is_edge_on));
+    if (*way).walked == 0u {
+        (*way).reached = max(at.depth, rays.near);
     }
-    var at = values_of(t, weights);
-    (*way).reached = max(at.depth, rays.near);
-    let steps_before = (*way).steps;
-    var goes_on = true;
-    while goes_on {
-        for (var turn = 0u; turn < TURNS && goes_on; turn++) {
-            (*way).steps++;
-            let slot = slot_at(cell, corner);
-            let p = place_at(slot);
-            let place = place_across(ray, p);
-            let numbers = numbers_of(t.ranks, corner);
-            // Of the triangles of the new corner and two others, the ray is in the one between an edge that turns left and
-            // one that does not: the corner opposite is left behind.
-            let x = vec3f(place.x);
-            let y = vec3f(place.y);
-            let lefts = turn_left(x, y, t.x, t.y, vec3u(corner) < numbers);
-            let leaves = lefts.yzx & !lefts.zxy;
-            let left = dot(select(vec3u(0u), numbers, leaves), vec3u(1u));
-            t.ranks = select(numbers - select(vec3u(0u), vec3u(1u), numbers > vec3u(left)),
-                             vec3u(corner - select(0u, 1u, corner > left)), leaves);
-            let crosses = x * t.y - y * t.x;
-            t.edges = select(select(t.edges, crosses.zxy, leaves.yzx), -crosses.yzx, leaves.zxy);
-            t.x = select(t.x, x, leaves);
-            t.y = select(t.y, y, leaves);
-            t.depths = select(t.depths, vec3f(depth_of(p)), leaves);
-            t.scalars = select(t.scalars, vec3f(scalars[slot]), leaves);
-            if BIVARIATE {
-                t.gradients = select(t.gradients, vec3f(gradients[slot]), leaves);
-            }
-            if SHADED {
-                let vector = gradient_vector_at(slot);
-                t.vectors = mat3x3f(select(t.vectors[0], vector, leaves.x), select(t.vectors[1], vector, leaves.y),
-                                    select(t.vectors[2], vector, leaves.z));
-            }
-            let link = link_at(cell, left);
-            weights = weights_of(t);
-            if any(weights > vec3f(0.0)) {
-                let next = values_of(t, weights);
-                if next.depth > (*way).reached {
-                    if (occupied[cell >> 5u] & (1u << (cell & 31u))) != 0u {
-                        compose(ray, at, next, way);
-                    }
-                    (*way).reached = next.depth;
+    // Where the walk is given up, it goes on from a face that tells where the ray is.
+    while turns_taken < MOST_TURNS || is_edge_on {
+        turns_taken++;
+        (*way).walked++;
+        let slot = slot_at(cell, corner);
+        let p = place_at(slot);
+        let place = place_across(ray, p);
+        let numbers = numbers_of(t.ranks, corner);
+        // Of the triangles of the new corner and two others, the ray is in the one between an edge that turns left and one
+        // that does not: the corner opposite is left behind.
+        let x = vec3f(place.x);
+        let y = vec3f(place.y);
+        let lefts = turn_left(x, y, t.x, t.y, vec3u(corner) < numbers);
+        let leaves = lefts.yzx & !lefts.zxy;
+        let left = dot(select(vec3u(0u), numbers, leaves), vec3u(1u));
+        t.ranks = select(numbers - select(vec3u(0u), vec3u(1u), numbers > vec3u(left)),
+                         vec3u(corner - select(0u, 1u, corner > left)), leaves);
+        let crosses = x * t.y - y * t.x;
+        t.edges = select(select(t.edges, crosses.zxy, leaves.yzx), -crosses.yzx, leaves.zxy);
+        t.x = select(t.x, x, leaves);
+        t.y = select(t.y, y, leaves);
+        t.depths = select(t.depths, vec3f(depth_of(p)), leaves);
+        t.scalars = select(t.scalars, vec3f(scalars[slot]), leaves);
+        if BIVARIATE {
+            t.gradients = select(t.gradients, vec3f(gradients[slot]), leaves);
+        }
+        if SHADED {
+            let vector = gradient_vector_at(slot);
+            t.vectors = mat3x3f(select(t.vectors[0], vector, leaves.x), select(t.vectors[1], vector, leaves.y),
+                                select(t.vectors[2], vector, leaves.z));
+        }
+        let link = link_at(cell, left);
+        weights = weights_of(t);
+        is_edge_on = all(weights == vec3f(0.0));
+        if !is_edge_on {
+            let next = values_of(t, weights);
+            if next.depth > (*way).reached {
+                if (occupied[cell >> 5u] & (1u << (cell & 31u))) != 0u {
+                    compose(ray, at, next, way);
                 }
-                at = next;
+                (*way).reached = next.depth;
             }
-            cell = link >> 2u;
-            corner = link & 3u;
-            goes_on = link != NO_LINK && (*way).transmittance > rays.least_transmittance;
+            (*way).repaired += select(0u, 1u, next.depth < at.depth);
+            at = next;
         }
-        // A walk enters no cell twice: this guards against a mesh that is none.
-        if goes_on && (*way).steps - steps_before > CELLS {
-            (*way).lost++;
-            goes_on = false;
+        cell = link >> 2u;
+        corner = link & 3u;
+        // A walk enters no cell twice: the bound guards against a mesh that is none.
+        if link == NO_LINK || (*way).transmittance <= rays.least_transmittance || (*way).walked > CELLS {
+            (*way).lost += select(0u, 1u, (*way).walked > CELLS);
+            (*way).steps += (*way).walked;
+            (*way).side = NO_SIDE;
+            return;
         }
     }
+    // Ranks are (0, 1, 2) turned round, or the same with two exchanged.
+    let flipped = t.ranks.y != (t.ranks.x + 1u) % 3u;
+    (*way).side = cell << 3u | corner << 1u | select(0u, 1u, flipped);
 }
 
 // Composes the segment from where all is done to `back`.
@@ -245,41 +267,107 @@ fn compose(ray: Ray, start: Values, back: Values, way: ptr<function, Way>) {
     (*way).transmittance *= seen.a;
 }
 
+fn new_way() -> Way {
+    let start = Entry(-FAR, 0u);
+    return Way(vec3f(0.0), 1.0, NO_SIDE, 0.0, -FAR, rays.around > 0u, start, Entry(FAR, NO_SIDE), 0u, NO_SIDE, 0u, 0u, 0u,
+               0u);
+}
+
+fn load_way(at: u32) -> Way {
+    let a = bitcast<vec4f>(states[at]);
+    let b = states[at + 1u];
+    let c = states[at + 2u];
+    let d = states[at + 3u];
+    return Way(a.rgb, a.w, b.x, bitcast<f32>(b.y), bitcast<f32>(b.z), b.w != 0u, Entry(bitcast<f32>(c.x), c.y),
+               Entry(bitcast<f32>(c.z), c.w), d.x, d.y, d.z, 0u, 0u, 0u);
+}
+
+fn store_way(at: u32, way: Way, is_done: bool) {
+    states[at] = bitcast<vec4u>(vec4f(way.color, way.transmittance));
+    states[at + 1u] = vec4u(way.side, bitcast<u32>(way.reached), bitcast<u32>(way.covered), u32(way.is_around));
+    states[at + 2u] = vec4u(bitcast<u32>(way.entry.depth), way.entry.side, bitcast<u32>(way.next.depth), way.next.side);
+    states[at + 3u] = vec4u(way.found, way.index, way.walked, u32(is_done));
+}
+
+// Goes on with a ray; whether it has come through.
+fn trace(ray: Ray, list: vec2u, way: ptr<function, Way>) -> bool {
+    while turns_taken < MOST_TURNS {
+        turns_taken++;
+        if (*way).side != NO_SIDE {
+            walk(ray, way);
+            if (*way).side == NO_SIDE {
+                if (*way).is_around {
+                    (*way).covered = max((*way).covered, (*way).reached);
+                }
+                // The last of them was found to be the last.
+                if (*way).transmittance <= rays.least_transmittance || ((*way).found == 1u && !(*way).is_around) {
+                    return true;
+                }
+                (*way).index = NO_SIDE;
+            }
+        } else {
+            let part = select(list, vec2u(0u, rays.around), (*way).is_around);
+            if (*way).index == NO_SIDE {
+                (*way).index = part.x;
+                (*way).next = Entry(FAR, NO_SIDE);
+                (*way).found = 0u;
+            }
+            search(ray, way, part.y);
+            if (*way).index == part.y {
+                if (*way).found == 0u && !(*way).is_around {
+                    return true;
+                }
+                (*way).index = NO_SIDE;
+                if (*way).found == 0u {
+                    (*way).is_around = false;
+                    (*way).entry = Entry(-FAR, 0u);
+                } else {
+                    (*way).entry = (*way).next;
+                    if (*way).next.depth >= (*way).covered - HAIR {
+                        (*way).side = (*way).next.side;
+                        (*way).walked = 0u;
+                    }
+                }
+            }
+        }
+    }
+    return false;
+}
+
 @compute @workgroup_size(8, 8)
 fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u,
         @builtin(local_invocation_id) local: vec3u) {
-    let pixel = group.xy * TILE + local.xy;
+    let in_slab = group.xy * TILE + local.xy;
+    let pixel = in_slab + vec2u(0u, rays.first_row * TILE);
     if any(pixel >= rays.size) {
         return;
     }
-    let ray = ray_through(pixel);
-    let tile = group.y * groups.x + group.x;
-    let list = vec2u(entries[rays.around + tile], entries[rays.around + tile + 1u]);
-    var way = Way(vec3f(0.0), 1.0, 0.0, 0u, 0u);
-    // How far the ray is done by walks that did not begin at the boundary: what they passed must not be passed again.
-    var covered = -FAR;
-    // First come the cells around the eye: rays enter them where their line does, behind the eye.
-    var is_around = rays.around > 0u;
-    var entry = Entry(-FAR, 0u, 0u);
-    loop {
-        entry = next_entry(ray, select(list, vec2u(0u, rays.around), is_around), entry);
-        if entry.count == 0u {
-            if !is_around {
-                break;
-            }
-            is_around = false;
-            entry = Entry(-FAR, 0u, 0u);
-            continue;
-        }
-        if entry.depth >= covered - HAIR {
-            walk(ray, entry.side, &way);
-            covered = select(covered, max(covered, way.reached), is_around);
-        }
-        if way.transmittance <= rays.least_transmittance || (entry.count == 1u && !is_around) {
-            break;
-        }
+    let at = 4u * (in_slab.y * rays.size.x + in_slab.x);
+    let goes_on = rays.goes_on != 0u;
+    if goes_on && states[at + 3u].w != 0u {
+        return;
     }
-    atomicAdd(&tallies[2u * tile], way.steps);
-    atomicAdd(&tallies[2u * tile + 1u], way.lost);
-    textureStore(picture, pixel, vec4f(way.color, 1.0 - way.transmittance) + way.transmittance * rays.background);
+    let ray = ray_through(pixel);
+    let tile = (group.y + rays.first_row) * groups.x + group.x;
+    let list = vec2u(entries[rays.around + tile], entries[rays.around + tile + 1u]);
+    var way = new_way();
+    if goes_on {
+        way = load_way(at);
+    }
+    let is_done = trace(ray, list, &way);
+    if !is_done {
+        atomicAdd(&unfinished, 1u);
+    }
+    // What is not read again need not be written.
+    if !is_done || goes_on {
+        store_way(at, way, is_done);
+    } else {
+        states[at + 3u] = vec4u(0u, 0u, 0u, 1u);
+    }
+    if is_done {
+        textureStore(picture, pixel, vec4f(way.color, 1.0 - way.transmittance) + way.transmittance * rays.background);
+    }
+    atomicAdd(&tallies[3u * tile], way.steps);
+    atomicAdd(&tallies[3u * tile + 1u], way.repaired);
+    atomicAdd(&tallies[3u * tile + 2u], way.lost);
 }

@@ -139,6 +139,18 @@ pub struct BufferSize {
     pub bytes: u64,
 }
 
+/// What rays met.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct RayCounts {
+    /// Cells entered.
+    pub steps: u64,
+    /// Steps out of cells that rounding has turned over, whose exit lies before their entry: passed without length.
+    pub repaired: u64,
+    /// Walks that were given up, since they entered more cells than there are: what lies behind is missing. 0, but for a
+    /// mesh whose links are wrong.
+    pub lost: u64,
+}
+
 /// What happened while rendering.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stats {
@@ -146,6 +158,8 @@ pub struct Stats {
     pub cells: Vec<(String, u64)>,
     /// Time of each pass; empty unless passes were timed.
     pub passes: Vec<PassTime>,
+    /// Where rays were cast.
+    pub rays: Option<RayCounts>,
     /// Device buffers.
     pub buffers: Vec<BufferSize>,
     /// Adapter, driver and back end, or the CPU engine's name.
@@ -154,11 +168,6 @@ pub struct Stats {
     pub pipelines: String,
     /// Choices that the renderer made, one sentence each.
     pub notes: Vec<String>,
-}
-
-/// A note on rays that were given up.
-pub(crate) fn lost_rays(count: u64) -> String {
-    format!("{count} rays entered more cells than there are and were given up: the mesh's faces do not fit")
 }
 
 /// A picture and how it came to be.

@@ -29,6 +29,7 @@ struct Depths {
 
 // The depths of all widgets over [start, end], and sums of them.
 fn measure(s: Segment, start: f32, end: f32, depths: ptr<function, array<f32, SLOTS>>) -> Depths {
+    turns_taken += 2u * widget_count() * WIDGET_TURNS;
     var total = 0.0;
     var emission = vec3f(0.0);
     for (var k = 0u; k < widget_count(); k++) {
@@ -85,10 +86,12 @@ fn color_range(s: Segment, start: f32, end: f32, depths: ptr<function, array<f32
         }
     }
     // From the widgets' extremes of the other side: every step moves outwards.
+    turns_taken += widget_count() * WIDGET_TURNS;
     var most = low;
     var least = high;
     var settled = false;
     for (var turn = 0u; turn < 8u && !settled; turn++) {
+        turns_taken += 1u + widget_count();
         var most_emission = vec3f(0.0);
         var most_extinction = vec3f(1e-30);
         var least_emission = vec3f(0.0);
@@ -124,6 +127,7 @@ fn piece_emission(s: Segment, start: f32, end: f32, d: Depths, depths: ptr<funct
     if largest(d.spread) * min(d.total, 1.0) < 1e-6 {
         return d.color * (d.total * phi_one(d.total));
     }
+    turns_taken += widget_count() * WIDGET_TURNS;
     var front = 0.0;
     var back = 0.0;
     var front_emission = vec3f(0.0);

@@ -14,6 +14,7 @@ const LENGTH_STEP = 0.5849625007211562; // log2(1.5)
 fn curve_at(scalar: f32) -> vec4f {
     var i = piece_starts[u32(clamp(scalar, 0.0, 1.0) * 256.0)].x;
     while i + 1u < PIECES && scalar > nodes[i + 1u].x {
+        turns_taken++;
         i += 1u;
     }
     return max(pieces[i].origin + scalar * pieces[i].slope, vec4f(0.0));
@@ -36,6 +37,7 @@ fn partial_curve_segment(scalars: vec2f, extent: f32) -> vec4f {
     var color = vec3f(0.0);
     var depth = 0.0;
     for (var turn = 0u; turn <= PIECES; turn++) {
+        turns_taken++;
         let bound = nodes[i + 1u - falls].x;
         let leaves = select((scalars.y < bound), (scalars.y > bound), rising) && i != last && abs(change) > 1e-30;
         var end = 1.0;

@@ -59,6 +59,7 @@ fn point_segment(s: Segment) -> vec4f {
 
 // Depths are exact and add; the colours are weighted by their depths, which is exact for one.
 fn analytic_segment(s: Segment) -> vec4f {
+    turns_taken += widget_count() * WIDGET_TURNS;
     var depth = 0.0;
     var emission = vec3f(0.0);
     for (var k = 0u; k < widget_count(); k++) {

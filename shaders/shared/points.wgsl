@@ -25,6 +25,7 @@ fn holds(w: Widget, p: vec2f) -> bool {
 
 // Emission and extinction of all widgets at a point.
 fn classify_widgets(p: vec2f) -> vec4f {
+    turns_taken += 1u + widget_count() * WIDGET_TURNS;
     var sum = vec4f(0.0);
     for (var k = 0u; k < widget_count(); k++) {
         let w = widget_at(k);

@@ -20,6 +20,12 @@ struct Rays {
     pixel: vec2i,
     size: vec2u,
     background: vec4f,
+    // Of the slab of tiles that a dispatch casts.
+    first_row: u32,
+    // Whether its rays have begun before.
+    goes_on: u32,
+    pad_a: u32,
+    pad_b: u32,
 }
 
 @group(0) @binding(2) var<uniform> rays: Rays;

@@ -55,6 +55,8 @@ fn next_of_wave(best: f32, at: f32, w: Widget, s: Segment, parts: f32) -> f32 {
 // The next special point after `at`; 1 where there is none. `fine`: with a Gaussian's standard deviations and a smooth
 // wave's eighths.
 fn next_special(s: Segment, at: f32, fine: bool) -> f32 {
+    // Those of `next_of_wave`, and of standard deviations.
+    turns_taken += widget_count() * (7u + WIDGET_TURNS);
     var next = 1.0;
     for (var k = 0u; k < widget_count(); k++) {
         let w = widget_at(k);
@@ -100,6 +102,7 @@ fn partial_segment(s: Segment) -> vec4f {
     var start = 0.0;
     for (var i = 0u; i < MOST_SPECIAL; i++) {
         let end = select(next_special(s, start, true), 1.0, i + 1u == MOST_SPECIAL);
+        turns_taken += 1u + widget_count() * WIDGET_TURNS;
         var front = vec4f(0.0);
         var back = vec4f(0.0);
         for (var k = 0u; k < widget_count(); k++) {
@@ -135,6 +138,7 @@ struct Glow {
 }
 
 fn glow(s: Segment, start: f32, end: f32) -> Glow {
+    turns_taken += 1u + widget_count() * WIDGET_TURNS;
     var shares = vec2f(0.0);
     var color = vec3f(0.0);
     var bend = 0.0;
@@ -207,6 +211,7 @@ fn unweighted_segment(s: Segment) -> vec4f {
 
 // Of all widgets over the whole segment: many pieces' rounding adds up.
 fn whole_depth(s: Segment) -> f32 {
+    turns_taken += widget_count() * WIDGET_TURNS;
     var depth = 0.0;
     for (var k = 0u; k < widget_count(); k++) {
         let w = widget_at(k);

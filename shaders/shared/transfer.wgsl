@@ -77,6 +77,7 @@ fn curve_segment(scalars: vec2f, extent: f32) -> vec4f {
     var color = vec3f(0.0);
     var transmittance = 1.0;
     loop {
+        turns_taken++;
         let origin = pieces[i].origin;
         let slope = pieces[i].slope;
         // Where the ray leaves the piece, if it does.

@@ -50,6 +50,10 @@ override BIVARIATE: bool = false;
 
 // Pieces that the last segment took.
 var<private> pieces_taken: u32;
+// Turns of loops that the invocation took, at most: what bounds the length of a dispatch counts them.
+var<private> turns_taken: u32;
+// For one widget.
+override WIDGET_TURNS: u32 = 1u;
 
 // A ray in one cell: (scalar, gradient magnitude) at its ends, and its length.
 struct Segment {

@@ -7,7 +7,7 @@ use serde::ser::SerializeMap as _;
 use serde::{Serialize, Serializer};
 
 use super::args::{ChoiceArgs, Device, RenderArgs};
-use crate::renderer::Stats;
+use crate::renderer::{RayCounts, Stats};
 use crate::tet::TetMesh;
 
 /// Clocks of one run.
@@ -29,6 +29,8 @@ pub(super) struct Report<'a> {
     mesh: MeshSize<'a>,
     image: ImageSize,
     cells: Cells<'a>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rays: Option<Rays>,
     passes: Vec<Pass<'a>>,
     buffers: Vec<Buffer<'a>>,
     device_bytes: u64,
@@ -53,6 +55,13 @@ struct MeshSize<'a> {
 struct ImageSize {
     width: u32,
     height: u32,
+}
+
+#[derive(Clone, Copy, Serialize)]
+struct Rays {
+    steps: u64,
+    repaired: u64,
+    lost: u64,
 }
 
 /// An object whose keys stand in the order of the stages.
@@ -93,6 +102,7 @@ impl<'a> Report<'a> {
             mesh: MeshSize { field: &mesh.field, vertices: mesh.vertices.len(), tets: mesh.tets.len() },
             image: ImageSize { width: size[0], height: size[1] },
             cells: Cells(&stats.cells),
+            rays: stats.rays.map(|RayCounts { steps, repaired, lost }| Rays { steps, repaired, lost }),
             passes: passes.collect(),
             buffers: stats.buffers.iter().map(|b| Buffer { name: &b.name, bytes: b.bytes }).collect(),
             device_bytes: stats.buffers.iter().map(|b| b.bytes).sum(),
@@ -135,6 +145,10 @@ impl<'a> Report<'a> {
         let _ = writeln!(text, "image     {} x {} pixels", self.image.width, self.image.height);
         for (stage, count) in self.cells.0 {
             let _ = writeln!(text, "cells     {count:>12}  after {stage}");
+        }
+        if let Some(Rays { steps, repaired, lost }) = self.rays {
+            let _ =
+                writeln!(text, "rays      {steps:>12}  cells entered, {repaired} steps repaired, {lost} walks lost");
         }
         for Pass { pass, work, ms } in &self.passes {
             let _ = writeln!(text, "pass      {ms:>12.3} ms  {pass:<16} {work}");

@@ -17,7 +17,9 @@ use crate::image::Image;
 use crate::plan::entries::BoundaryView;
 use crate::plan::eye;
 use crate::plan::lens::Lens;
-use crate::renderer::{BufferSize, Frame, Method, PassTime, Rendered, Renderer, SegmentIntegral, Settings, Stats};
+use crate::renderer::{
+    BufferSize, Frame, Method, PassTime, RayCounts, Rendered, Renderer, SegmentIntegral, Settings, Stats,
+};
 use crate::scene::{Optics, TransferFunction};
 use crate::tet::{LinkedMesh, Side, TetMesh};
 
@@ -121,7 +123,7 @@ impl CpuRenderer {
         let scene = self.scene.as_ref();
         let cells = self.cells.cells.len() as u64;
         let visible = cells - scene.map_or(0, |s| s.empty.count());
-        let Counts { steps, lost } = drawn.counts;
+        let Counts { steps, repaired, lost } = drawn.counts;
         let work = [
             format!("{cells} cells"),
             format!("{} boundary faces", self.cells.boundary.faces.len()),
@@ -130,19 +132,16 @@ impl CpuRenderer {
         let names = ["host: classify", "host: bin", "host: cast"];
         let passes = names.into_iter().zip(work).zip(drawn.times);
         let pass = |((name, work), time): ((&str, String), Duration)| PassTime { pass: name.into(), work, time };
-        let mut notes = Vec::new();
-        if lost > 0 {
-            notes.push(crate::renderer::lost_rays(lost));
-        }
         let sizes = self.cells.sizes().into_iter();
         let sizes = sizes.chain(scene.map(|s| ("empty cells", s.empty.bytes())));
         Stats {
             pipelines: Default::default(),
-            cells: vec![("mesh".into(), cells), ("transfer function".into(), visible)],
+            cells: vec![("in the mesh".into(), cells), ("that the function can show".into(), visible)],
+            rays: Some(RayCounts { steps, repaired, lost }),
             passes: if timed { passes.map(pass).collect() } else { Vec::new() },
             buffers: sizes.map(|(name, bytes)| BufferSize { name: name.into(), bytes: bytes as u64 }).collect(),
             adapter: format!("CPU ({} threads, ray casting)", rayon::current_num_threads()),
-            notes,
+            notes: Vec::new(),
         }
     }
 }

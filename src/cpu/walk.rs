@@ -16,6 +16,8 @@ use crate::tet::{LinkedMesh, Side};
 pub struct Counts {
     /// Cells entered.
     pub steps: u64,
+    /// Steps whose exit lies before their entry.
+    pub repaired: u64,
     /// Walks that were given up, since they entered more cells than there are: what lies behind is missing.
     pub lost: u64,
 }
@@ -23,7 +25,7 @@ pub struct Counts {
 impl Counts {
     #[must_use]
     pub fn plus(self, other: Self) -> Self {
-        Self { steps: self.steps + other.steps, lost: self.lost + other.lost }
+        Self { steps: self.steps + other.steps, repaired: self.repaired + other.repaired, lost: self.lost + other.lost }
     }
 }
 
@@ -234,6 +236,7 @@ impl Walk {
                     }
                     reached = new_depth;
                 }
+                counts.repaired += u64::from(new_depth < depth);
                 (depth, at) = (new_depth, new_at);
             }
             if link == LinkedMesh::NO_LINK {

@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 use crate::gpu::shader::{Binding, BindingKind, Module};
 
 /// What the largest shader, that of ray casting, binds.
-const MOST_STORAGE_BUFFERS: u32 = 17;
+const MOST_STORAGE_BUFFERS: u32 = 19;
 
 /// Which adapters may be used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -46,6 +46,10 @@ pub struct Rays {
     pub pixel: [i32; 2],
     pub size: [u32; 2],
     pub background: [f32; 4],
+    pub first_row: u32,
+    pub goes_on: u32,
+    pub pad_a: u32,
+    pub pad_b: u32,
 }
 
 /// `shared/light.wgsl`.

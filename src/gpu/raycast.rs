@@ -15,12 +15,23 @@ use crate::gpu::transfer::TransferBuffers;
 use crate::plan::entries::BoundaryView;
 use crate::plan::eye;
 use crate::plan::lens::Lens;
-use crate::renderer::{BufferSize, CellLayout, Frame, PassTime, Rendered, Renderer, Settings, Stats};
+use crate::renderer::{BufferSize, CellLayout, Frame, PassTime, RayCounts, Rendered, Renderer, Settings, Stats};
 use crate::scene::EmissionModel;
 use crate::tet::{LinkedMesh, TetMesh};
 
 /// Pixels along a tile's side: a workgroup each (`raycast.wgsl`).
 const TILE: u32 = 8;
+
+/// Of a ray that has not come through (`raycast.wgsl`), bytes, and of all of them in one dispatch.
+const STATE_BYTES: u64 = 64;
+const MOST_STATES: u64 = 64 << 20;
+
+/// Turns of loops after which a dispatch leaves a ray. lavapipe ends the loops of 8 rays at once after 65,535 turns.
+const SOFTWARE_TURNS: u32 = 7_000;
+const HARDWARE_TURNS: u32 = 200_000;
+
+/// Words that count what rays of a tile met (`raycast.wgsl`).
+const TALLIES: usize = 3;
 
 /// Renders one mesh by ray casting (HARC; Weiler et al. 2003).
 pub struct RayCaster {
@@ -33,6 +44,9 @@ pub struct RayCaster {
     light: wgpu::Buffer,
     entries: wgpu::Buffer,
     tallies: wgpu::Buffer,
+    states: wgpu::Buffer,
+    unfinished: wgpu::Buffer,
+    unfinished_mapped: wgpu::Buffer,
     scene: Option<Scene>,
     target: Option<Target>,
 }
@@ -42,9 +56,17 @@ struct Scene {
     transfer: TransferBuffers,
     perspective: bool,
     shading: Shading,
-    raycast: Kernel,
+    kernels: CastKernels,
     /// One bit a cell: not transparent.
     occupied: wgpu::Buffer,
+}
+
+/// Kernels, and what they are specialised to: functions of the same kinds share them, since compiling takes longer than
+/// a frame.
+struct CastKernels {
+    constants: Vec<(&'static str, f64)>,
+    mark: Kernel,
+    raycast: Kernel,
 }
 
 impl RayCaster {
@@ -58,9 +80,26 @@ impl RayCaster {
         gpu.wait()?;
         let rays = gpu.uniform("rays", &[layout::Rays::default()]);
         let light = gpu.uniform("light", &[layout::Light::default()]);
-        let empty = || gpu.buffer("empty", 0, wgpu::BufferUsages::STORAGE);
-        let (entries, tallies) = (empty(), empty());
-        Ok(Self { gpu, mesh, linked, settings, store, rays, light, entries, tallies, scene: None, target: None })
+        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
+        let [entries, tallies, states, unfinished] = [(); 4].map(|()| gpu.buffer("rays", 0, usage));
+        let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
+        let unfinished_mapped = gpu.buffer("unfinished, mapped", 0, usage);
+        Ok(Self {
+            gpu,
+            mesh,
+            linked,
+            settings,
+            store,
+            rays,
+            light,
+            entries,
+            tallies,
+            states,
+            unfinished,
+            unfinished_mapped,
+            scene: None,
+            target: None,
+        })
     }
 
     /// Another field, time step or place of the vertices, on the same tetrahedra: uploads values, gradients and, where
@@ -112,16 +151,25 @@ impl RayCaster {
         // What is transparent glows, too, where emission is not weighted by extinction.
         constants.push(("CULL", flag(self.settings.cull && emission == EmissionModel::Weighted)));
         constants.push(("PERSPECTIVE", flag(perspective)));
+        let turns = if self.gpu.is_software() { SOFTWARE_TURNS } else { HARDWARE_TURNS };
+        constants.push(("MOST_TURNS", turns.into()));
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let cells = linked.cells.len() as u32;
         let occupied = self.gpu.buffer("occupied", u64::from(cells.div_ceil(256)) * 32, usage);
-        let mark = self.gpu.kernel("occupied", &constants)?;
-        let raycast = self.gpu.kernel("raycast", &constants)?;
+        let before = self.scene.take().map(|s| s.kernels).filter(|k| k.constants == constants);
+        let kernels = match before {
+            Some(kernels) => kernels,
+            None => CastKernels {
+                mark: self.gpu.kernel("occupied", &constants)?,
+                raycast: self.gpu.kernel("raycast", &constants)?,
+                constants,
+            },
+        };
         let mut recorder = Recorder::new(&self.gpu, false);
         let resources = transfer.offer(self.store.resources()).with("marks", &occupied);
-        recorder.compute(&mark, &mark.bind(&self.gpu, &resources)?, Work::Items(cells))?;
+        recorder.compute(&kernels.mark, &kernels.mark.bind(&self.gpu, &resources)?, Work::Items(cells))?;
         recorder.submit();
-        self.scene = Some(Scene { transfer, perspective, shading, raycast, occupied });
+        self.scene = Some(Scene { transfer, perspective, shading, kernels, occupied });
         Ok(())
     }
 
@@ -133,30 +181,62 @@ impl RayCaster {
         if self.target.as_ref().is_none_or(|t| t.size != frame.size) {
             self.target = Some(Target::new(&self.gpu, frame.size, false)?);
         }
-        let mut recorder = Recorder::new(&self.gpu, timed);
-        let around = recorder.host("bin", || -> Result<u32> {
-            let around = eye::sides_around(&self.linked, &lens);
-            let view = BoundaryView::new(&self.linked.boundary, &lens, frame.size, TILE);
-            let mut entries: Vec<u32> = around.iter().map(|side| side.packed()).collect();
-            let (starts, sides) = view.packed_tiles();
-            let first = (around.len() + starts.len()) as u32;
-            entries.extend(starts.iter().map(|start| first + start));
-            entries.extend(sides);
-            put(&self.gpu, &mut self.entries, "entries", &entries)?;
-            put(&self.gpu, &mut self.tallies, "tallies", &vec![0_u32; 2 * view.tile_count() as usize])?;
-            Ok(around.len() as u32)
-        })?;
+        let start = Instant::now();
+        let around = self.bin(&lens, frame.size)?;
+        let work = format!("{} boundary faces", self.linked.boundary.faces.len());
+        let mut passes = vec![PassTime { pass: "host: bin".to_owned(), work, time: start.elapsed() }];
         let least = self.settings.least_transmittance;
-        let uniform = rays::uniform(&lens, frame.size, around, least, frame.background);
-        self.gpu.queue.write_buffer(&self.rays, 0, bytemuck::bytes_of(&uniform));
+        let mut uniform = rays::uniform(&lens, frame.size, around, least, frame.background);
         let light = light::uniform(frame.optics, &frame.camera.basis());
         self.gpu.queue.write_buffer(&self.light, 0, bytemuck::bytes_of(&light));
+        let [columns, rows] = frame.size.map(|n| n.div_ceil(TILE));
+        let row_bytes = u64::from(frame.size[0] * TILE) * STATE_BYTES;
+        let most = (MOST_STATES.min(self.gpu.max_binding) / row_bytes).clamp(1, rows.into()) as u32;
+        grow(&self.gpu, &mut self.states, "states", u64::from(most) * row_bytes)?;
+        for first in (0..rows).step_by(most as usize) {
+            (uniform.first_row, uniform.goes_on) = (first, 0);
+            // Each dispatch takes every ray that is left on by one turn at least.
+            while self.cast(&uniform, [columns, most.min(rows - first)], timed, &mut passes)? > 0 {
+                uniform.goes_on = 1;
+            }
+        }
+        Ok(passes)
+    }
+
+    /// Sorts the boundary into the picture's tiles. How many sides of cells hold the eye.
+    fn bin(&mut self, lens: &Lens, size: [u32; 2]) -> Result<u32> {
+        let around = eye::sides_around(&self.linked, lens);
+        let view = BoundaryView::new(&self.linked.boundary, lens, size, TILE);
+        let mut entries: Vec<u32> = around.iter().map(|side| side.packed()).collect();
+        let (starts, sides) = view.packed_tiles();
+        let first = (around.len() + starts.len()) as u32;
+        entries.extend(starts.iter().map(|start| first + start));
+        entries.extend(sides);
+        let tallies = vec![0_u32; TALLIES * view.tile_count() as usize];
+        for (buffer, label, words) in
+            [(&mut self.entries, "entries", &entries), (&mut self.tallies, "tallies", &tallies)]
+        {
+            grow(&self.gpu, buffer, label, size_of_val(&words[..]) as u64)?;
+            self.gpu.write(buffer, 0, bytemuck::cast_slice(words));
+        }
+        Ok(around.len() as u32)
+    }
+
+    /// One dispatch over a slab of tiles. How many of its rays have not come through.
+    fn cast(&self, uniform: &layout::Rays, tiles: [u32; 2], timed: bool, passes: &mut Vec<PassTime>) -> Result<u32> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let target = self.target.as_ref().ok_or_else(unprepared)?;
+        self.gpu.queue.write_buffer(&self.rays, 0, bytemuck::bytes_of(uniform));
         let resources = self.resources(scene).with_texture("picture", &target.picture);
-        let groups = scene.raycast.bind(&self.gpu, &resources)?;
-        recorder.compute(&scene.raycast, &groups, Work::Tiles(frame.size.map(|n| n.div_ceil(TILE))))?;
-        recorder.finish()
+        let raycast = &scene.kernels.raycast;
+        let groups = raycast.bind(&self.gpu, &resources)?;
+        let mut recorder = Recorder::new(&self.gpu, timed);
+        recorder.encoder().clear_buffer(&self.unfinished, 0, None);
+        recorder.compute(raycast, &groups, Work::Tiles(tiles))?;
+        recorder.encoder().copy_buffer_to_buffer(&self.unfinished, 0, &self.unfinished_mapped, 0, 4);
+        passes.extend(recorder.finish()?);
+        let unfinished: Vec<u32> = self.gpu.map(&self.unfinished_mapped, 4)?;
+        unfinished.first().copied().ok_or_else(unprepared)
     }
 
     fn resources<'a>(&'a self, scene: &'a Scene) -> Resources<'a> {
@@ -167,6 +247,8 @@ impl RayCaster {
             .with("light", &self.light)
             .with("entries", &self.entries)
             .with("tallies", &self.tallies)
+            .with("states", &self.states)
+            .with("unfinished", &self.unfinished)
             .with("occupied", &scene.occupied)
     }
 
@@ -176,14 +258,14 @@ impl RayCaster {
         let bits: Vec<u32> = self.gpu.read(&scene.occupied, scene.occupied.size())?;
         let visible = bits.iter().map(|word| u64::from(word.count_ones())).sum();
         let tallies: Vec<u32> = self.gpu.read(&self.tallies, self.tallies.size())?;
-        let total = |of: usize| tallies.iter().skip(of).step_by(2).map(|&n| u64::from(n)).sum::<u64>();
-        let (steps, lost) = (total(0), total(1));
-        let mut notes = vec![format!("{steps} cells were entered by rays")];
-        if lost > 0 {
-            notes.push(crate::renderer::lost_rays(lost));
-        }
+        let total = |of: usize| tallies.iter().skip(of).step_by(TALLIES).map(|&n| u64::from(n)).sum();
         let size = |(name, buffer): (&str, &wgpu::Buffer)| BufferSize { name: name.to_owned(), bytes: buffer.size() };
-        let frame = [("occupied", &scene.occupied), ("entries", &self.entries), ("tallies", &self.tallies)];
+        let frame = [
+            ("occupied", &scene.occupied),
+            ("entries", &self.entries),
+            ("tallies", &self.tallies),
+            ("states", &self.states),
+        ];
         let kind = scene.transfer.describe(self.settings.integral, None);
         let layout = if self.store.layout == CellLayout::Fast { "fast" } else { "compact" };
         Ok(Stats {
@@ -192,7 +274,8 @@ impl RayCaster {
             buffers: self.store.list().into_iter().chain(frame).map(size).collect(),
             adapter: self.gpu.describe(),
             pipelines: format!("{kind}; cells are held in the {layout} layout"),
-            notes,
+            rays: Some(RayCounts { steps: total(0), repaired: total(1), lost: total(2) }),
+            notes: Vec::new(),
         })
     }
 }
@@ -200,7 +283,7 @@ impl RayCaster {
 impl Renderer for RayCaster {
     fn render(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Rendered> {
         let passes = self.draw_frame(frame, timed)?;
-        let stats = self.stats(passes)?;
+        let stats = self.stats(if timed { passes } else { Vec::new() })?;
         let image = self.target.as_ref().ok_or_else(unprepared)?.read(&self.gpu)?;
         Ok(Rendered { image, stats })
     }
@@ -216,23 +299,19 @@ impl Renderer for RayCaster {
     }
 }
 
-/// Writes words to a buffer, which is made anew where it is too small.
-fn put(gpu: &Gpu, buffer: &mut wgpu::Buffer, label: &str, words: &[u32]) -> Result<()> {
-    let bytes = size_of_val(words) as u64;
+/// Makes a buffer anew where it is too small.
+fn grow(gpu: &Gpu, buffer: &mut wgpu::Buffer, label: &str, bytes: u64) -> Result<()> {
     if bytes > gpu.max_binding {
         return Err(Error::Device(format!(
-            "the boundary in this picture's tiles takes {} MiB, and '{}' binds {} MiB: render a smaller picture, or with \
-             --device cpu",
+            "'{label}' of a picture takes {} MiB, and '{}' binds {} MiB: render a smaller picture, or with --device cpu",
             bytes >> 20,
             gpu.info.name,
             gpu.max_binding >> 20
         )));
     }
     if buffer.size() < bytes {
-        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC;
-        *buffer = gpu.buffer(label, bytes + bytes / 4, usage);
+        *buffer = gpu.buffer(label, (bytes + bytes / 4).min(gpu.max_binding), buffer.usage());
     }
-    gpu.write(buffer, 0, bytemuck::cast_slice(words));
     Ok(())
 }
 

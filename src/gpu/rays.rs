@@ -38,5 +38,6 @@ pub fn uniform(
         pixel: pixel.as_ivec2().to_array(),
         size,
         background,
+        ..Default::default()
     }
 }

@@ -205,8 +205,15 @@ impl WidgetSet {
             ("RANGES", any(&bounded)),
             ("BIVARIATE", f64::from(u8::from(self.bivariate()))),
             ("ONE_COLOR", f64::from(u8::from(self.one_color()))),
+            ("WIDGET_TURNS", self.widgets.iter().map(turns).max().unwrap_or(1).into()),
         ]
     }
+}
+
+/// Turns of loops for one widget, at most: a window's pieces, and in each of them the ramp's.
+fn turns(widget: &GpuWidget) -> u32 {
+    let [_, window, _, ramp] = widget.knots;
+    (1 + window) * (1 + ramp)
 }
 
 /// Phase per normalised unit of both axes and at the centre, and a centre whose phase is next to nothing: what is added to

@@ -1,25 +1,20 @@
-//! Pictures of the CPU engine against the oracle: every kind of transfer function, both projections, from outside and
-//! from within the mesh. Real data at 512 x 512 where it is at hand.
-
-#![expect(clippy::print_stdout, reason = "what was measured, for `--nocapture`")]
-
-mod common;
+//! Pictures against the oracle: every kind of transfer function, both projections, from outside and from within the mesh.
 
 use std::sync::Arc;
 
-use common::agreement::{Explainer, Limits, Verdict, assert_limits_bite};
-use common::peer_scene::PeerScene;
-use common::{folder, meshes};
 use glam::DVec3;
-use tetralux::cpu::CpuRenderer;
 use tetralux::image::{Comparison, Image};
 use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
-use tetralux::renderer::{Frame, Method, Rendered, Renderer as _, SegmentIntegral, Settings};
+use tetralux::renderer::{Frame, Rendered, Renderer, SegmentIntegral, Settings};
 use tetralux::scene::{
     Camera, Curve, CurveNode, Optics, Projection, SinusoidVariant, TransferFunction, Widget, WidgetShape, Window,
 };
 use tetralux::tet::TetMesh;
+
+use crate::common::agreement::{Explainer, Limits, Verdict, assert_limits_bite};
+use crate::common::meshes;
+use crate::engine;
 
 const SIZE: [u32; 2] = [96, 96];
 /// Issue 4; larger errors lie where the true picture changes as much within [`SHIFT`] pixels.
@@ -158,39 +153,38 @@ fn cameras(mesh: &TetMesh) -> [(&'static str, Camera); 4] {
     ]
 }
 
-fn draw(renderer: &mut CpuRenderer, camera: &Camera, transfer: &TransferFunction, size: [u32; 2]) -> Rendered {
+fn draw(renderer: &mut dyn Renderer, camera: &Camera, transfer: &TransferFunction, size: [u32; 2]) -> Rendered {
     let frame = Frame { camera, transfer, optics: &Optics::PLAIN, size, background: [0.0; 4] };
     renderer.render(&frame, false).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn renderer(mesh: &Arc<TetMesh>, settings: Settings) -> CpuRenderer {
+fn renderer(mesh: &Arc<TetMesh>, settings: Settings) -> Box<dyn Renderer> {
     // Colours of several widgets are weighted by their depths.
-    let settings = Settings { integral: SegmentIntegral::Analytic, ..settings };
-    CpuRenderer::new(mesh.clone(), settings).unwrap_or_else(|e| panic!("{e}"))
+    engine(mesh, Settings { integral: SegmentIntegral::Analytic, ..settings })
 }
 
 fn agrees(mesh: &Arc<TetMesh>, what: &str) {
-    agree(&mut renderer(mesh, Settings::default()), mesh, what, Axes::of(mesh).functions());
+    agree(&mut *renderer(mesh, Settings::default()), mesh, what, Axes::of(mesh).functions());
     let settings = Settings { integral: SegmentIntegral::Adaptive { tolerance: 1e-3 }, ..Settings::default() };
-    let mut to_tolerance = CpuRenderer::new(mesh.clone(), settings).unwrap_or_else(|e| panic!("{e}"));
+    let mut to_tolerance = engine(mesh, settings);
     let colors = Axes::of(mesh).colors();
     // Measured: at least 88.5 dB, 99.9 % of pixels within 3.1e-4.
-    agree(&mut to_tolerance, mesh, what, vec![("all shapes, to a tolerance", colors.clone(), LIMITS)]);
-    assert_tolerance_is_needed(&mut to_tolerance, mesh, &colors);
+    agree(&mut *to_tolerance, mesh, what, vec![("all shapes, to a tolerance", colors.clone(), LIMITS)]);
+    assert_tolerance_is_needed(&mut *to_tolerance, mesh, &colors);
 }
 
 /// Colours that are mixed evenly within a cell make another picture.
-fn assert_tolerance_is_needed(to_tolerance: &mut CpuRenderer, mesh: &Arc<TetMesh>, colors: &TransferFunction) {
+fn assert_tolerance_is_needed(to_tolerance: &mut dyn Renderer, mesh: &Arc<TetMesh>, colors: &TransferFunction) {
     let (_, inside) = &cameras(mesh)[2];
     let adaptive = draw(to_tolerance, inside, colors, SIZE).image;
-    let even = draw(&mut renderer(mesh, Settings::default()), inside, colors, SIZE).image;
+    let even = draw(&mut *renderer(mesh, Settings::default()), inside, colors, SIZE).image;
     let comparison = Comparison::new(&even, &adaptive).expect("equal sizes");
     println!("mixed evenly: {:.2} dB from adaptive", comparison.psnr);
     assert!(comparison.psnr < LIMITS.psnr, "mixed evenly, the colours are as good: {comparison}");
 }
 
 fn agree(
-    renderer: &mut CpuRenderer,
+    renderer: &mut dyn Renderer,
     mesh: &Arc<TetMesh>,
     what: &str,
     functions: Vec<(&'static str, TransferFunction, Limits)>,
@@ -241,8 +235,7 @@ fn marschner_lobb_agrees() {
 fn rays_end_early_within_the_stated_share() {
     let mesh = meshes::sample(Sample::Tangle, 20_000);
     let transfer = Axes::of(&mesh).curve(&[(0.0, GOLD, 20.0), (1.0, BLUE, 60.0)]);
-    let steps =
-        |image: &Rendered| image.stats.passes.iter().find_map(|p| p.work.strip_suffix(" steps")?.parse::<u64>().ok());
+    let steps = |rendered: &Rendered| rendered.stats.rays.map(|rays| rays.steps);
     let (_, camera) = cameras(&mesh)[0];
     let frame = Frame {
         camera: &camera,
@@ -287,8 +280,8 @@ fn empty_cells_are_skipped_unseen() {
         let (_, camera) = cameras(&mesh)[0];
         let mut with = renderer(&mesh, Settings::default());
         let mut without = renderer(&mesh, Settings { cull: false, ..Settings::default() });
-        let (a, b) = (draw(&mut with, &camera, &transfer, SIZE), draw(&mut without, &camera, &transfer, SIZE));
-        let visible = |r: &Rendered| r.stats.cells.iter().find(|c| c.0 == "transfer function").map(|c| c.1);
+        let (a, b) = (draw(&mut *with, &camera, &transfer, SIZE), draw(&mut *without, &camera, &transfer, SIZE));
+        let visible = |r: &Rendered| r.stats.cells.iter().find(|c| c.0 == "that the function can show").map(|c| c.1);
         let worst = a.image.pixels.iter().zip(&b.image.pixels);
         let worst = worst.flat_map(|(p, q)| (0..4).map(|c| (p[c] - q[c]).abs())).fold(0.0, f32::max);
         println!("{function}: {:?} of {:?} cells, {worst:.1e}", visible(&a), visible(&b));
@@ -310,79 +303,9 @@ fn the_background_is_behind() {
     let mut renderer = renderer(&mesh, Settings::default());
     let frame = Frame { camera: &camera, transfer: &transfer, optics: &Optics::PLAIN, size: [61, 43], background };
     let got = renderer.render(&frame, false).expect("a picture").image;
-    let alone = draw(&mut renderer, &camera, &transfer, [61, 43]).image;
+    let alone = draw(&mut *renderer, &camera, &transfer, [61, 43]).image;
     let want = alone.over(background);
     let worst = got.pixels.iter().zip(&want.pixels).flat_map(|(p, q)| (0..4).map(|c| (p[c] - q[c]).abs()));
     assert!(worst.fold(0.0, f32::max) < 1e-6);
     assert!(alone.pixels.iter().any(|p| p[3] == 0.0) && alone.pixels.iter().any(|p| p[3] > 0.1));
 }
-
-#[test]
-fn what_it_cannot_do_is_refused() {
-    let mesh = meshes::sample(Sample::Tangle, 1_000);
-    let project = CpuRenderer::new(mesh.clone(), Settings { method: Method::Project, ..Settings::default() });
-    assert!(project.is_err_and(|e| e.to_string().contains("--method raycast")));
-    let mut renderer = renderer(&mesh, Settings { method: Method::RayCast, ..Settings::default() });
-    let (_, camera) = cameras(&mesh)[0];
-    let mut refusal = |widget: Widget, optics: Optics, size| {
-        let transfer = TransferFunction::Widgets(vec![Widget::new(WidgetShape::Uniform, GOLD, 1.0), widget]);
-        let frame = Frame { camera: &camera, transfer: &transfer, optics: &optics, size, background: [0.0; 4] };
-        renderer.render(&frame, false).err().map(|e| e.to_string()).unwrap_or_default()
-    };
-    let plain = Widget::new(WidgetShape::Uniform, GOLD, 1.0);
-    let glowing = Optics { emission: tetralux::scene::EmissionModel::Unweighted, ..Optics::PLAIN };
-    assert!(refusal(plain.clone(), glowing, SIZE).contains("unweighted"));
-    assert!(refusal(plain.clone(), Optics::PLAIN, [0, 4]).contains("no pixels"));
-    assert!(refusal(Widget::new(WidgetShape::Uniform, GOLD, 1e300), Optics::PLAIN, SIZE).contains("beyond f32"));
-    assert_eq!(refusal(plain, Optics::PLAIN, SIZE), "");
-    let long = WidgetShape::Ramp { direction: [1.0, 0.0], knots: vec![[0.0, 0.0], [1.0, 1e300]] };
-    let knots = refusal(Widget::new(long, GOLD, 1.0), Optics::PLAIN, SIZE);
-    assert!(knots.contains("widget 1: its knots are beyond f32"), "{knots}");
-    let wave = WidgetShape::Triangle { direction: [1.0, 0.0], offset: 1e300, period: 1e-300, duty: 1.0 };
-    let period = refusal(Widget::new(wave, GOLD, 1.0), Optics::PLAIN, SIZE);
-    assert!(period.contains("widget 1: its period or offset is beyond f32"), "{period}");
-}
-
-/// Real data at 512 x 512, four views from outside and two from within.
-fn real(name: &str) {
-    let peers = folder("TETRALUX_PEERS");
-    let scene = PeerScene::read(&peers, name);
-    let mesh = meshes::read(&peers.join(&scene.mesh), &scene.array);
-    let transfer = scene.transfer();
-    let mut renderer = renderer(&mesh, Settings::default());
-    let oracle = Oracle::new(mesh.clone());
-    let (center, diagonal) = meshes::center_and_diagonal(&mesh);
-    let within = |x: f64, y: f64| Camera {
-        eye: center + diagonal * DVec3::new(x, y, 0.05),
-        near: None,
-        projection: Projection::Perspective { fov_y: 1.2 },
-        ..scene.camera(0)
-    };
-    let views = (0..4).map(|view| scene.camera(view)).chain([within(0.1, 0.06), within(-0.12, 0.03)]);
-    for (view, camera) in views.enumerate() {
-        let rendered = draw(&mut renderer, &camera, &transfer, scene.image);
-        let frame = Frame {
-            camera: &camera,
-            transfer: &transfer,
-            optics: &Optics::PLAIN,
-            size: scene.image,
-            background: [0.0; 4],
-        };
-        let want = oracle.image(&frame).expect("a picture");
-        let explainer = Explainer { mesh: &mesh, frame, view: oracle.view(&frame).expect("a view"), shift: SHIFT };
-        let verdict = Verdict::new(&rendered.image, &want, LIMITS, |pixel, error| explainer.cause(pixel, error));
-        println!("{name} view {view}: {verdict} {:?}", rendered.stats.notes);
-        assert_limits_bite(&want, LIMITS);
-        verdict.assert_good(name);
-    }
-}
-
-macro_rules! scenes {
-    ($($scene:ident)*) => {$(
-        #[test]
-        #[ignore = "needs TETRALUX_PEERS"]
-        fn $scene() { real(stringify!($scene)); }
-    )*};
-}
-
-scenes!(bluntfin_smooth bluntfin_band bluntfin_lin post_smooth post_band post_lin);

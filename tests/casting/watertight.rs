@@ -1,19 +1,16 @@
-//! A uniform medium fills a box without gap or overlap on the CPU engine: every pixel is `1 - exp(-k * chord)`.
-
-#![expect(clippy::print_stdout, reason = "what was measured, for `--nocapture`")]
-
-mod common;
+//! A uniform medium fills a box without gap or overlap: every pixel is `1 - exp(-k * chord)`.
 
 use std::sync::Arc;
 
-use common::boxes::{box_mesh, chord};
-use common::delaunay;
-use common::random::Random;
 use glam::DVec3;
-use tetralux::cpu::CpuRenderer;
-use tetralux::renderer::{Frame, Renderer as _, Settings};
+use tetralux::renderer::{Frame, Renderer, Settings};
 use tetralux::scene::{Camera, Optics, Projection, TransferFunction, Widget, WidgetShape};
 use tetralux::tet::TetMesh;
+
+use crate::common::boxes::{box_mesh, chord};
+use crate::common::delaunay;
+use crate::common::random::Random;
+use crate::engine;
 
 const SIZE: [u32; 2] = [64, 64];
 /// Of every pixel's opacity and colour.
@@ -82,7 +79,7 @@ fn chords_near(camera: &Camera, [x, y]: [f64; 2]) -> [f64; 2] {
 }
 
 /// Pixels seen, pixels beyond the limit, and the worst error.
-fn check(renderer: &mut CpuRenderer, camera: &Camera, extinction: f64) -> (usize, usize, f64) {
+fn check(renderer: &mut dyn Renderer, camera: &Camera, extinction: f64) -> (usize, usize, f64) {
     let transfer = TransferFunction::Widgets(vec![Widget::new(WidgetShape::Uniform, COLOR, extinction)]);
     let frame = Frame { camera, transfer: &transfer, optics: &Optics::PLAIN, size: SIZE, background: [0.0; 4] };
     let got = renderer.render(&frame, false).expect("a picture").image;
@@ -110,11 +107,11 @@ fn meshes() -> [(&'static str, Arc<TetMesh>); 2] {
 
 fn is_watertight(place: Place) {
     for (name, mesh) in meshes() {
-        let mut renderer = CpuRenderer::new(mesh.clone(), Settings::default()).expect("a renderer");
+        let mut renderer = engine(&mesh, Settings::default());
         let (mut seen, mut bad, mut worst) = (0, 0, 0.0_f64);
         for camera in cameras(place, &mesh, 24) {
             for depth in DEPTHS {
-                let (s, b, w) = check(&mut renderer, &camera, depth / DIAGONAL);
+                let (s, b, w) = check(&mut *renderer, &camera, depth / DIAGONAL);
                 (seen, bad, worst) = (seen + s, bad + b, worst.max(w));
             }
         }
@@ -155,10 +152,10 @@ fn a_missing_cell_is_seen() {
         };
         let cell = (0..mesh.tets.len()).min_by(|&i, &j| distance(&mesh.tets[i]).total_cmp(&distance(&mesh.tets[j])));
         holed.tets.swap_remove(cell.expect("cells"));
-        let mut renderer = CpuRenderer::new(Arc::new(holed), Settings::default()).expect("a renderer");
+        let mut renderer = engine(&Arc::new(holed), Settings::default());
         for depth in DEPTHS {
             let cameras = cameras(Place::Outside, &mesh, 12);
-            let bad: usize = cameras.iter().map(|camera| check(&mut renderer, camera, depth / DIAGONAL).1).sum();
+            let bad: usize = cameras.iter().map(|camera| check(&mut *renderer, camera, depth / DIAGONAL).1).sum();
             println!("{name}, a cell is missing, k * diagonal = {depth}: {bad} pixels");
             // Behind something dense, little is seen of it.
             assert!(bad > if depth < 10.0 { 10 } else { 0 }, "{name}, depth {depth}: {bad}");

@@ -1,20 +1,17 @@
-//! Pictures by every integral, cast on the CPU, against the oracle's: how near each is.
-
-#![expect(clippy::print_stdout, reason = "what was measured, for `--nocapture`")]
-
-mod common;
+//! Pictures by every integral against the oracle's: how near each is.
 
 use std::sync::Arc;
 
-use common::integral_scene::{camera, curve};
-use common::meshes;
-use tetralux::cpu::CpuRenderer;
 use tetralux::image::Comparison;
 use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
-use tetralux::renderer::{Frame, Renderer as _, SegmentIntegral, Settings};
+use tetralux::renderer::{Frame, SegmentIntegral, Settings};
 use tetralux::scene::{Optics, SinusoidVariant, TransferFunction, Widget, WidgetShape, Window};
 use tetralux::tet::TetMesh;
+
+use crate::common::integral_scene::{camera, curve};
+use crate::common::meshes;
+use crate::engine;
 
 const SIZE: [u32; 2] = [96, 96];
 
@@ -54,7 +51,7 @@ fn check(transfer: impl Fn(&TetMesh) -> TransferFunction, expected: &[(&str, f64
     let mut wrong = Vec::new();
     for &(name, least, most) in expected {
         let integral: SegmentIntegral = name.parse().expect(name);
-        let mut renderer = CpuRenderer::new(mesh.clone(), Settings { integral, ..Default::default() }).expect(name);
+        let mut renderer = engine(&mesh, Settings { integral, ..Default::default() });
         let got = renderer.render(&frame, false).expect(name).image;
         let comparison = Comparison::new(&got, &want).expect("equal sizes");
         println!("{name}: {:.1} dB, worst pixel {:.1e}", comparison.psnr, comparison.max);

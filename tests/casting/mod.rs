@@ -1,0 +1,6 @@
+//! What is asked of every engine that casts rays. The binary that includes this says which: `engine`.
+
+mod agreement;
+mod integrals;
+mod real;
+mod watertight;
