@@ -109,12 +109,13 @@ fn outline(ray: Ray, side: u32) -> Triangle {
     t.x = vec3f(p.x, q.x, r.x);
     t.y = vec3f(p.y, q.y, r.y);
     t.depths = vec3f(depth_of(a), depth_of(b), depth_of(c));
-    t.edges = t.x.yzx * t.y.zxy - t.y.yzx * t.x.zxy;
+    t.edges = areas(t.x.yzx, t.y.yzx, t.x.zxy, t.y.zxy);
     return t;
 }
 
 // Weights of the corners where the ray is on the face; zeros where that is seen edge-on.
 fn weights_of(t: Triangle) -> vec3f {
+    // Areas are whole numbers; rounded ones may fall short of 0.
     let edges = max(t.edges, vec3f(0.0));
     let sum = edges.x + edges.y + edges.z;
     return select(vec3f(0.0), edges / max(sum, 1.0), sum >= 1.0);
@@ -138,7 +139,7 @@ fn search(ray: Ray, way: ptr<function, Way>, end: u32) {
         turns_taken++;
         let side = entries[(*way).index];
         let t = outline(ray, side);
-        let holds = all(turn_left(t.x.yzx, t.y.yzx, t.x.zxy, t.y.zxy, t.ranks.yzx < t.ranks.zxy));
+        let holds = all(turn_left(t.edges, t.x.yzx, t.y.yzx, t.x.zxy, t.y.zxy, t.ranks.yzx < t.ranks.zxy));
         let weights = weights_of(t);
         let depth = select(t.depths.x, dot(t.depths, weights), any(weights > vec3f(0.0)));
         if holds && (depth > last.depth || (depth == last.depth && side > last.side)) {
@@ -204,12 +205,12 @@ fn walk(ray: Ray, way: ptr<function, Way>) {
         // that does not: the corner opposite is left behind.
         let x = vec3f(place.x);
         let y = vec3f(place.y);
-        let lefts = turn_left(x, y, t.x, t.y, vec3u(corner) < numbers);
+        let crosses = areas(x, y, t.x, t.y);
+        let lefts = turn_left(crosses, x, y, t.x, t.y, vec3u(corner) < numbers);
         let leaves = lefts.yzx & !lefts.zxy;
         let left = dot(select(vec3u(0u), numbers, leaves), vec3u(1u));
         t.ranks = select(numbers - select(vec3u(0u), vec3u(1u), numbers > vec3u(left)),
                          vec3u(corner - select(0u, 1u, corner > left)), leaves);
-        let crosses = x * t.y - y * t.x;
         t.edges = select(select(t.edges, crosses.zxy, leaves.yzx), -crosses.yzx, leaves.zxy);
         t.x = select(t.x, x, leaves);
         t.y = select(t.y, y, leaves);

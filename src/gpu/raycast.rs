@@ -1,5 +1,6 @@
 //! Ray casting on the GPU: one compute pass walks every pixel's ray from cell to cell.
 
+use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -30,6 +31,9 @@ const MOST_STATES: u64 = 64 << 20;
 const SOFTWARE_TURNS: u32 = 7_000;
 const HARDWARE_TURNS: u32 = 200_000;
 
+/// Kernels that are kept.
+const MOST_KERNELS: usize = 8;
+
 /// Words that count what rays of a tile met (`raycast.wgsl`).
 const TALLIES: usize = 3;
 
@@ -47,6 +51,7 @@ pub struct RayCaster {
     states: wgpu::Buffer,
     unfinished: wgpu::Buffer,
     unfinished_mapped: wgpu::Buffer,
+    known_kernels: VecDeque<Arc<CastKernels>>,
     scene: Option<Scene>,
     target: Option<Target>,
 }
@@ -56,7 +61,7 @@ struct Scene {
     transfer: TransferBuffers,
     perspective: bool,
     shading: Shading,
-    kernels: CastKernels,
+    kernels: Arc<CastKernels>,
     /// One bit a cell: not transparent.
     occupied: wgpu::Buffer,
 }
@@ -97,6 +102,7 @@ impl RayCaster {
             states,
             unfinished,
             unfinished_mapped,
+            known_kernels: VecDeque::new(),
             scene: None,
             target: None,
         })
@@ -156,21 +162,28 @@ impl RayCaster {
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let cells = linked.cells.len() as u32;
         let occupied = self.gpu.buffer("occupied", u64::from(cells.div_ceil(256)) * 32, usage);
-        let before = self.scene.take().map(|s| s.kernels).filter(|k| k.constants == constants);
-        let kernels = match before {
-            Some(kernels) => kernels,
-            None => CastKernels {
-                mark: self.gpu.kernel("occupied", &constants)?,
-                raycast: self.gpu.kernel("raycast", &constants)?,
-                constants,
-            },
-        };
+        let kernels = self.kernels(constants)?;
         let mut recorder = Recorder::new(&self.gpu, false);
         let resources = transfer.offer(self.store.resources()).with("marks", &occupied);
         recorder.compute(&kernels.mark, &kernels.mark.bind(&self.gpu, &resources)?, Work::Items(cells))?;
         recorder.submit();
         self.scene = Some(Scene { transfer, perspective, shading, kernels, occupied });
         Ok(())
+    }
+
+    /// Kernels of these constants: those that were made before, or new ones.
+    fn kernels(&mut self, constants: Vec<(&'static str, f64)>) -> Result<Arc<CastKernels>> {
+        if let Some(known) = self.known_kernels.iter().find(|k| k.constants == constants) {
+            return Ok(Arc::clone(known));
+        }
+        let mark = self.gpu.kernel("occupied", &constants)?;
+        let raycast = self.gpu.kernel("raycast", &constants)?;
+        let made = Arc::new(CastKernels { constants, mark, raycast });
+        if self.known_kernels.len() == MOST_KERNELS {
+            self.known_kernels.pop_front();
+        }
+        self.known_kernels.push_back(Arc::clone(&made));
+        Ok(made)
     }
 
     /// Draws a frame; the picture is left in the target. Times of passes where asked.
