@@ -28,8 +28,9 @@ fn classify_curve(scalar: f32) -> vec4f {
 // Between the function's nodes extinction and colour are linear: psi of each piece, whatever its depth. With UNWEIGHTED
 // the colour is emitted wherever there is any extinction, and two integrals of the same kind weigh its ends.
 fn partial_curve_segment(scalars: vec2f, extent: f32) -> vec4f {
-    let change = scalars.y - scalars.x;
-    let rising = change > 0.0;
+    let rising = scalars.y - scalars.x > 1e-30;
+    // Where nothing changes the start may be a piece late, too: that is left at once.
+    let change = select(min(scalars.y - scalars.x, -1e-30), scalars.y - scalars.x, rising);
     let falls = select(1u, 0u, rising);
     var i = piece_starts[u32(clamp(scalars.x, 0.0, 1.0) * 256.0)][falls];
     let last = select(0u, PIECES - 1u, rising);
@@ -39,7 +40,7 @@ fn partial_curve_segment(scalars: vec2f, extent: f32) -> vec4f {
     for (var turn = 0u; turn <= PIECES; turn++) {
         turns_taken++;
         let bound = nodes[i + 1u - falls].x;
-        let leaves = select((scalars.y < bound), (scalars.y > bound), rising) && i != last && abs(change) > 1e-30;
+        let leaves = select((scalars.y < bound), (scalars.y > bound), rising) && i != last;
         var end = 1.0;
         if leaves {
             end = clamp((bound - scalars.x) / change, at, 1.0);

@@ -3,7 +3,7 @@
 use glam::{DVec3, Vec4};
 use rayon::prelude::*;
 
-use super::boundary::Boundary;
+use super::boundary::{Boundary, Side};
 use super::{Adjacency, Axis, NO_TET, TetId, TetMesh};
 
 /// One tetrahedron: half a cache line.
@@ -14,7 +14,8 @@ pub struct Cell {
     /// the corner that is not on it has to be known to step from one into the other.
     pub vertices: [u32; 4],
     /// Across the face opposite each vertex: four times the cell there, plus its corner that is not on the face;
-    /// [`LinkedMesh::NO_LINK`] on the boundary.
+    /// [`LinkedMesh::NO_LINK`] on the boundary, and where the cell there overlaps this one: both are entered and left
+    /// on their own.
     pub links: [u32; 4],
 }
 
@@ -53,18 +54,22 @@ impl LinkedMesh {
         let vertices_of = |old: u32| mesh.tets[old as usize].map(|v| number[v as usize]);
         let cell = |&old: &u32| {
             let (oriented, across) = (vertices_of(old), &neighbors[old as usize]);
-            let (corners, _) = ascending(oriented);
-            let links = corners.map(|corner| {
+            let (corners, odd) = ascending(oriented);
+            let link = |opposite: u32| {
+                let corner = corners[opposite as usize];
                 let next = across[corner];
                 if next == NO_TET {
                     return Self::NO_LINK;
                 }
-                let (theirs, _) = sorted(vertices_of(next));
+                let (theirs, is_other_odd) = sorted(vertices_of(next));
                 let on_face = |v: u32| v != oriented[corner] && oriented.contains(&v);
                 let new = (0..4_u32).find(|&i| !on_face(theirs[i as usize])).unwrap_or_default();
-                place[next as usize] << 2 | new
-            });
-            Cell { vertices: corners.map(|corner| oriented[corner]), links }
+                let there = place[next as usize];
+                // Where cells lie on one side of their face, the mesh is folded: rays leave both through it.
+                let is_fold = Side::new(0, opposite, odd).flipped == Side::new(there, new, is_other_odd).flipped;
+                if is_fold { Self::NO_LINK } else { there << 2 | new }
+            };
+            Cell { vertices: corners.map(|corner| oriented[corner]), links: [0, 1, 2, 3].map(link) }
         };
         let cells: Vec<Cell> = order.par_iter().map(cell).collect();
         let odd = order
