@@ -34,6 +34,7 @@ const SOURCES: &[(&str, &str)] = sources![
     "segments",
     "shared/adaptive",
     "shared/bands",
+    "shared/corners",
     "shared/counts",
     "shared/curves",
     "shared/frame",
