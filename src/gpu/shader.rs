@@ -15,6 +15,7 @@ const SOURCES: &[(&str, &str)] = sources![
     "candidates",
     "compact",
     "cull",
+    "faces",
     "keys",
     "layers",
     "math/optics",
