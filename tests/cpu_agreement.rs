@@ -320,8 +320,10 @@ fn the_background_is_behind() {
 #[test]
 fn what_it_cannot_do_is_refused() {
     let mesh = meshes::sample(Sample::Tangle, 1_000);
-    let project = CpuRenderer::new(mesh.clone(), Settings { method: Method::Project, ..Settings::default() });
-    assert!(project.is_err_and(|e| e.to_string().contains("--method raycast")));
+    for method in [Method::Project, Method::CellCast] {
+        let refusal = CpuRenderer::new(mesh.clone(), Settings { method, ..Settings::default() });
+        assert!(refusal.is_err_and(|e| e.to_string().contains("--method raycast")), "{method:?}");
+    }
     let mut renderer = renderer(&mesh, Settings { method: Method::RayCast, ..Settings::default() });
     let (_, camera) = cameras(&mesh)[0];
     let mut refusal = |widget: Widget, optics: Optics, size| {
