@@ -19,10 +19,10 @@ use tetralux::scene::{Camera, Curve, CurveNode, Projection, TransferFunction, Wi
 use tetralux::tet::TetMesh;
 
 const SIZE: [u32; 2] = [128, 128];
-/// What is allowed are pixels at an edge between two front faces of a cell, which the rasteriser moves by up to 1/512 pixel:
-/// they get the entry of the other face, extrapolated.
-const MOST_ERROR: f64 = 2e-2;
-const LEAST_PSNR: f64 = 80.0;
+/// What differs is rounding, and the few pixels that the rasteriser gives to other triangles. Measured: 124.1 dB, and at
+/// most 5.8e-5.
+const MOST_ERROR: f64 = 2e-4;
+const LEAST_PSNR: f64 = 115.0;
 
 /// Colour changes all over the scalar's range, so that any exchange of two cells on a ray is seen.
 fn colorful(mesh: &TetMesh) -> TransferFunction {
