@@ -10,6 +10,9 @@
 @group(3) @binding(1) var<storage, read_write> counts: Counts;
 @group(3) @binding(2) var<storage, read_write> draws: array<u32>; // 5 words a chunk: arguments of draw_indexed
 
+// Of a cell.
+override INDICES: u32;
+
 const SORT_TILE: u32 = 1024u;
 const SORT_ROW: u32 = 32768u; // below the limit of 65,535 groups a dimension
 
@@ -41,7 +44,7 @@ fn main(@builtin(local_invocation_index) lane: u32) {
     let chunks = (frame.most_drawn + frame.chunk_cells - 1u) / frame.chunk_cells;
     for (var chunk = lane; chunk < chunks; chunk += 256u) {
         let first_cell = chunk * frame.chunk_cells;
-        draws[chunk * 5u] = min(max(before, first_cell) - first_cell, frame.chunk_cells) * 6u;
+        draws[chunk * 5u] = min(max(before, first_cell) - first_cell, frame.chunk_cells) * INDICES;
         draws[chunk * 5u + 1u] = 1u;
         draws[chunk * 5u + 2u] = 0u;
         draws[chunk * 5u + 3u] = 0u;

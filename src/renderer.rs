@@ -19,6 +19,9 @@ pub enum Method {
     Auto,
     /// Projected tetrahedra (Shirley & Tuchman 1990): rasterised triangles, blended back to front.
     Project,
+    /// Cell projection without a decomposition (Weiler et al. 2003): front faces are rasterised, exits found by the planes
+    /// of the other faces, blended back to front.
+    CellCast,
     /// Rays from cell to cell (Weiler et al. 2003), front to back: visibility is exact.
     RayCast,
 }

@@ -62,6 +62,7 @@ fn mistakes_in_the_command_are_two() {
         (render(&["--set", "nonsense"]), &["KEY=VALUE"]),
         (render(&["--device", "abacus"]), &["abacus", "oracle"]),
         (render(&["--device", "cpu", "--method", "project"]), &["--method raycast", "--device gpu"]),
+        (render(&["--device", "cpu", "--method", "cellcast"]), &["--method raycast", "--device gpu"]),
         (render(&["--device", "cpu", "--emission", "unweighted"]), &["unweighted", "--device oracle"]),
         (render(&["--least-transmittance", "2"]), &["--least-transmittance", "0 to 1"]),
         (render(&["--repeat", "0"]), &["--repeat"]),

@@ -22,8 +22,10 @@ fn engine(mesh: &Arc<TetMesh>, settings: Settings) -> Box<dyn Renderer> {
 #[test]
 fn what_it_cannot_do_is_refused() {
     let mesh = meshes::sample(Sample::Tangle, 1_000);
-    let project = CpuRenderer::new(mesh.clone(), Settings { method: Method::Project, ..Settings::default() });
-    assert!(project.is_err_and(|e| e.to_string().contains("--method raycast")));
+    for method in [Method::Project, Method::CellCast] {
+        let refusal = CpuRenderer::new(mesh.clone(), Settings { method, ..Settings::default() });
+        assert!(refusal.is_err_and(|e| e.to_string().contains("--method raycast")), "{method:?}");
+    }
     let mut renderer = engine(&mesh, Settings { method: Method::RayCast, ..Settings::default() });
     let eye = DVec3::new(3.0, 2.0, 1.0);
     let projection = Projection::Perspective { fov_y: 0.8 };

@@ -6,13 +6,13 @@ mod common;
 
 use std::sync::Arc;
 
-use common::gpu::{draw, renderer};
+use common::gpu::{PROJECTIONS, by, draw, renderer};
 use common::meshes;
 use glam::DVec3;
 use tetralux::image::{Comparison, Image};
 use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
-use tetralux::renderer::{BlendFormat, Frame, Settings, SortPlace};
+use tetralux::renderer::{BlendFormat, Frame, Method, Settings, SortPlace};
 use tetralux::scene::{Camera, Curve, CurveNode, Optics, Projection, TransferFunction};
 use tetralux::tet::TetMesh;
 
@@ -55,18 +55,22 @@ fn truth(mesh: &Arc<TetMesh>, camera: &Camera, transfer: &TransferFunction) -> I
 
 #[test]
 fn f16_slabs_come_near_f32() {
+    PROJECTIONS.into_iter().for_each(f16_slabs_of);
+}
+
+fn f16_slabs_of(method: Method) {
     // More than 64 layers, so that there are several slabs, and several frames, so that they are found and kept.
     let mesh = meshes::sample(Sample::Tangle, 60_000);
     let (camera, transfer) = (camera(&mesh, 2.0, true), rainbow(&mesh, 4.0));
-    let want = draw(&mut renderer(&mesh, Settings::default()), &camera, &transfer, SIZE).image;
-    let mut f16 = renderer(&mesh, Settings { blend: BlendFormat::F16, ..Default::default() });
+    let want = draw(&mut renderer(&mesh, by(method)), &camera, &transfer, SIZE).image;
+    let mut f16 = renderer(&mesh, Settings { blend: BlendFormat::F16, ..by(method) });
     let first = draw(&mut f16, &camera, &transfer, SIZE);
     let again = draw(&mut f16, &camera, &transfer, SIZE);
     assert_eq!(first.image, again.image);
     let note = first.stats.notes.iter().find(|n| n.contains("f16")).expect("a note on slabs");
     assert!(!note.contains("in 1 slabs"), "{note}");
     let comparison = Comparison::new(&first.image, &want).expect("equal sizes");
-    println!("f16, {note}: largest error {:.1e}, PSNR {:.1}", comparison.max, comparison.psnr);
+    println!("f16, {method:?}, {note}: largest error {:.1e}, PSNR {:.1}", comparison.max, comparison.psnr);
     assert!(comparison.max <= F16_ERROR && comparison.psnr > 45.0, "{comparison}");
     assert!(comparison.max > 0.0, "f16 was not used");
     let mut planted = first.image;
@@ -113,12 +117,16 @@ fn steps_of_any_steepness_are_drawn() {
                 extinction,
             });
             let transfer = TransferFunction::Curve(Curve { nodes: nodes.collect() });
-            let drawn = draw(&mut renderer(&mesh, Settings::default()), &camera, &transfer, SIZE);
-            assert!(drawn.stats.pipelines.contains("bands"), "{}", drawn.stats.pipelines);
-            let comparison = Comparison::new(&drawn.image, &truth(&mesh, &camera, &transfer)).expect("equal sizes");
-            println!("a step {width:.0e} wide, {before}: PSNR {:.1}, largest {:.1e}", comparison.psnr, comparison.max);
-            // Its surface is a silhouette.
-            assert!(comparison.not_finite == 0 && comparison.psnr > 70.0, "{width:e}, {before}: {comparison}");
+            let want = truth(&mesh, &camera, &transfer);
+            for method in PROJECTIONS {
+                let drawn = draw(&mut renderer(&mesh, by(method)), &camera, &transfer, SIZE);
+                assert!(drawn.stats.pipelines.contains("bands"), "{}", drawn.stats.pipelines);
+                let comparison = Comparison::new(&drawn.image, &want).expect("equal sizes");
+                let what = format!("a step {width:.0e} wide, {before}, {method:?}");
+                println!("{what}: PSNR {:.1}, largest {:.1e}", comparison.psnr, comparison.max);
+                // Its surface is a silhouette.
+                assert!(comparison.not_finite == 0 && comparison.psnr > 70.0, "{what}: {comparison}");
+            }
         }
     }
 }
@@ -148,10 +156,14 @@ fn far_cameras_see_the_same() {
     for perspective in [true, false] {
         for distance in [2.0, 1e3, 1e5] {
             let camera = camera(&mesh, distance, perspective);
-            let got = draw(&mut renderer(&mesh, Settings::default()), &camera, &transfer, SIZE).image;
-            let comparison = Comparison::new(&got, &truth(&mesh, &camera, &transfer)).expect("equal sizes");
-            println!("{distance:.0e} diagonals away, perspective {perspective}: PSNR {:.1}", comparison.psnr);
-            assert!(comparison.psnr > 75.0, "{distance} diagonals away, perspective {perspective}: {comparison}");
+            let want = truth(&mesh, &camera, &transfer);
+            for method in PROJECTIONS {
+                let got = draw(&mut renderer(&mesh, by(method)), &camera, &transfer, SIZE).image;
+                let comparison = Comparison::new(&got, &want).expect("equal sizes");
+                let what = format!("{distance:.0e} diagonals away, perspective {perspective}, {method:?}");
+                println!("{what}: PSNR {:.1}", comparison.psnr);
+                assert!(comparison.psnr > 75.0, "{what}: {comparison}");
+            }
         }
     }
 }

@@ -12,7 +12,7 @@ use tetralux::image::{Comparison, Image};
 use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
 use tetralux::plan::order::centroid_depth;
-use tetralux::renderer::{Frame, Renderer as _, SegmentIntegral, Settings};
+use tetralux::renderer::{Frame, Method, Renderer as _, SegmentIntegral, Settings};
 use tetralux::scene::{EmissionModel, Optics, SinusoidVariant, TransferFunction, Widget, WidgetShape, Window};
 use tetralux::tet::TetMesh;
 
@@ -65,9 +65,15 @@ fn widgets(mesh: &TetMesh) -> TransferFunction {
     ])
 }
 
-fn draw(mesh: &Arc<TetMesh>, transfer: &TransferFunction, integral: &str, optics: &Optics) -> tetralux::Result<Image> {
+fn draw(
+    mesh: &Arc<TetMesh>,
+    transfer: &TransferFunction,
+    method: Method,
+    integral: &str,
+    optics: &Optics,
+) -> tetralux::Result<Image> {
     let integral: SegmentIntegral = integral.parse()?;
-    let mut renderer = gpu::renderer(mesh, Settings { integral, ..Default::default() });
+    let mut renderer = gpu::renderer(mesh, Settings { integral, ..gpu::by(method) });
     let camera = camera(mesh);
     let frame = Frame { camera: &camera, transfer, optics, size: SIZE, background: [0.0; 4] };
     Ok(renderer.render(&frame, false)?.image)
@@ -86,11 +92,13 @@ fn check(transfer: &TransferFunction, optics: &Optics, expected: &[(&str, f64, f
     let want = truth(&mesh, transfer, optics);
     let mut wrong = Vec::new();
     for &(integral, least, most) in expected {
-        let got = draw(&mesh, transfer, integral, optics).expect(integral);
-        let comparison = Comparison::new(&got, &want).expect("equal sizes");
-        println!("{integral}: {:.1} dB, worst pixel {:.1e}", comparison.psnr, comparison.max);
-        if !(least..=most).contains(&comparison.psnr) {
-            wrong.push(format!("{integral}: {:.1} dB, not {least} to {most}", comparison.psnr));
+        for method in gpu::PROJECTIONS {
+            let got = draw(&mesh, transfer, method, integral, optics).expect(integral);
+            let comparison = Comparison::new(&got, &want).expect("equal sizes");
+            println!("{integral}, {method:?}: {:.1} dB, worst pixel {:.1e}", comparison.psnr, comparison.max);
+            if !(least..=most).contains(&comparison.psnr) {
+                wrong.push(format!("{integral}, {method:?}: {:.1} dB, not {least} to {most}", comparison.psnr));
+            }
         }
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
@@ -174,7 +182,7 @@ fn tabled_emission_glows() {
 fn what_cannot_be_drawn_is_refused() {
     let mesh = mesh();
     let refusal = |transfer: &TransferFunction, integral: &str, optics: &Optics| {
-        draw(&mesh, transfer, integral, optics).expect_err("a refusal").to_string()
+        draw(&mesh, transfer, Method::Project, integral, optics).expect_err("a refusal").to_string()
     };
     assert!(refusal(&widgets(&mesh), "preintegrated", &Optics::PLAIN).contains("functions of the scalar alone"));
 }

@@ -76,11 +76,17 @@ fn check(mesh: &Arc<TetMesh>, what: &str, transfer: &TransferFunction, limits: &
     let mut wrong = Vec::new();
     for limit in limits {
         let integral: SegmentIntegral = limit.integral.parse().expect("an integral");
-        let mut renderer = gpu::renderer(mesh, Settings { integral, ..Default::default() });
-        let got = renderer.render(&frame, false).expect("a picture").image;
-        let c = Comparison::new(&got, &want).expect("equal sizes");
-        println!("    {:18} {:6.1} dB  99.9% {:.1e}  worst {:.1e}", limit.integral, c.psnr, c.percentile_99_9, c.max);
-        wrong.extend(failure(&c, limit));
+        for method in gpu::PROJECTIONS {
+            let mut renderer = gpu::renderer(mesh, Settings { integral, ..gpu::by(method) });
+            let got = renderer.render(&frame, false).expect("a picture").image;
+            let c = Comparison::new(&got, &want).expect("equal sizes");
+            let (psnr, percentile) = (c.psnr, c.percentile_99_9);
+            println!(
+                "    {:18} {method:8?} {psnr:6.1} dB  99.9% {percentile:.1e}  worst {:.1e}",
+                limit.integral, c.max
+            );
+            wrong.extend(failure(&c, limit).map(|f| format!("{method:?}, {f}")));
+        }
         let mut planted = want.clone();
         planted.pixels.iter_mut().step_by(500).for_each(|p| p[1] += 1.1 * limit.percentile as f32);
         let planted = Comparison::new(&planted, &want).expect("equal sizes");

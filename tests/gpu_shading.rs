@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use common::agreement::{Cause, Explainer, Limits, Verdict, assert_limits_bite};
 use common::boxes::box_mesh;
-use common::gpu::{assert_same_bits, renderer};
+use common::gpu::{PROJECTIONS, assert_same_bits, by, renderer};
 use common::meshes;
 use glam::DVec3;
 use tetralux::gpu::GpuRenderer;
@@ -16,7 +16,7 @@ use tetralux::image::{Comparison, Image};
 use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
 use tetralux::plan::order::centroid_depth;
-use tetralux::renderer::{BlendFormat, Frame, Rendered, Renderer as _, Settings};
+use tetralux::renderer::{BlendFormat, Frame, Method, Rendered, Renderer as _, Settings};
 use tetralux::scene::{
     Camera, Curve, CurveNode, EmissionModel, LightSpace, Lighting, Optics, Projection, Silhouette, SilhouetteMode,
     TransferFunction, Widget, WidgetShape,
@@ -132,15 +132,12 @@ fn agrees(
     limits: Limits,
     banded: bool,
 ) {
-    let mut renderer = renderer(mesh, Settings::default());
+    let mut renderers = PROJECTIONS.map(|method| (method, renderer(mesh, by(method))));
     let oracle = Oracle::new(mesh.clone());
     let mut failures = Vec::new();
     for (index, camera) in cameras.iter().enumerate() {
-        let plain = draw(&mut renderer, camera, transfer, &Optics::PLAIN).image;
+        let plain = draw(&mut renderers[0].1, camera, transfer, &Optics::PLAIN).image;
         for (name, optics) in all_optics() {
-            let drawn = draw(&mut renderer, camera, transfer, &optics);
-            let by_opacity = optics.silhouette.is_some_and(|s| s.mode == SilhouetteMode::Opacity);
-            assert_eq!(in_bands(&drawn), banded && !by_opacity, "{what}, {name}: bands");
             let frame = frame(camera, transfer, &optics);
             let want = oracle.render_in_order(&frame, &centroid_depth(mesh, camera)).expect("a picture");
             let seen = want.pixels.iter().filter(|p| p[3] > 0.01).count();
@@ -148,12 +145,20 @@ fn agrees(
             let shading = largest_difference(&plain, &want);
             assert!(shading > 0.02, "{what}, {name}: shading changes {shading}");
             let explainer = Explainer { mesh, frame, view: oracle.view(&frame).expect("a view"), shift: SHIFT };
-            let verdict = Verdict::new(&drawn.image, &want, limits, |pixel, error| explainer.cause(pixel, error));
-            println!("{what}, camera {index}, {name}: {verdict}");
             if limits.explained_above.is_finite() {
                 assert_limits_bite(&want, limits);
             }
-            failures.extend(verdict.failures().into_iter().map(|f| format!("{what}, camera {index}, {name}: {f}")));
+            let by_opacity = optics.silhouette.is_some_and(|s| s.mode == SilhouetteMode::Opacity);
+            // Lighting and silhouettes alone are parts of the same shader: outlines stand for both methods there.
+            let together = optics.lighting.is_some() && optics.silhouette.is_some();
+            for (method, renderer) in renderers.iter_mut().filter(|(m, _)| together || *m == Method::Project) {
+                let what = format!("{what}, camera {index}, {name}, {method:?}");
+                let drawn = draw(renderer, camera, transfer, &optics);
+                assert_eq!(in_bands(&drawn), banded && !by_opacity, "{what}: bands");
+                let verdict = Verdict::new(&drawn.image, &want, limits, |pixel, error| explainer.cause(pixel, error));
+                println!("{what}: {verdict}");
+                failures.extend(verdict.failures().into_iter().map(|f| format!("{what}: {f}")));
+            }
         }
     }
     assert!(failures.is_empty(), "{failures:#?}");
@@ -218,19 +223,19 @@ fn a_camera_inside_agrees() {
     let mesh = affine(4);
     let transfer = uniform(1.5);
     let camera = inside(&mesh);
-    let mut renderer = renderer(&mesh, Settings::default());
     let oracle = Oracle::new(mesh.clone());
-    for (name, optics) in all_optics() {
+    for (method, (name, optics)) in PROJECTIONS.into_iter().flat_map(|m| all_optics().map(|o| (m, o))) {
+        let mut renderer = renderer(&mesh, by(method));
         let drawn = draw(&mut renderer, &camera, &transfer, &optics);
         assert!(drawn.stats.notes.iter().any(|note| note.contains("pieces")), "{:?}", drawn.stats.notes);
         let frame = frame(&camera, &transfer, &optics);
         let want = oracle.image(&frame).expect("a picture");
         let verdict = Verdict::new(&drawn.image, &want, LIMITS, |_, _| Cause::Unknown);
-        println!("inside, {name}: {verdict}");
+        println!("inside, {name}, {method:?}: {verdict}");
         match optics.silhouette.map(|s| s.mode) {
             // Measured: 1.3e-2.
-            Some(SilhouetteMode::Opacity) => assert!(verdict.comparison.max < 0.02, "{name}: {verdict}"),
-            _ => verdict.assert_good(name),
+            Some(SilhouetteMode::Opacity) => assert!(verdict.comparison.max < 0.02, "{name}, {method:?}: {verdict}"),
+            _ => verdict.assert_good(&format!("{name}, {method:?}")),
         }
     }
 }
@@ -343,16 +348,16 @@ fn where_a_gradient_vanishes_the_picture_is_smooth() {
 fn f16_slabs_come_near() {
     let mesh = meshes::sample(Sample::Tangle, 20_000);
     let [camera, _] = cameras(&mesh);
-    let settings = |blend| Settings { blend, ..Default::default() };
-    let mut renderers = [BlendFormat::F32, BlendFormat::F16].map(|blend| renderer(&mesh, settings(blend)));
-    for (what, transfer) in
-        [("bands", bands(&mesh)), ("bivariate", gaussian(&mesh, true)), ("Gaussian", gaussian(&mesh, false))]
-    {
+    let settings = |method, blend| Settings { blend, ..by(method) };
+    let functions =
+        [("bands", bands(&mesh)), ("bivariate", gaussian(&mesh, true)), ("Gaussian", gaussian(&mesh, false))];
+    for (method, (what, transfer)) in PROJECTIONS.into_iter().flat_map(|m| functions.each_ref().map(|f| (m, f))) {
+        let mut renderers = [BlendFormat::F32, BlendFormat::F16].map(|blend| renderer(&mesh, settings(method, blend)));
         for (name, optics) in all_optics() {
-            let [a, b] = renderers.each_mut().map(|r| draw(r, &camera, &transfer, &optics).image);
+            let [a, b] = renderers.each_mut().map(|r| draw(r, &camera, transfer, &optics).image);
             let difference = largest_difference(&a, &b);
-            println!("f16, {what}, {name}: {difference:.1e}");
-            assert!(difference <= 1e-2, "{what}, {name}: {difference:e}");
+            println!("f16, {what}, {name}, {method:?}: {difference:.1e}");
+            assert!(difference <= 1e-2, "{what}, {name}, {method:?}: {difference:e}");
         }
     }
 }

@@ -14,7 +14,7 @@ use glam::DVec3;
 use tetralux::gpu::GpuRenderer;
 use tetralux::image::Image;
 use tetralux::oracle::Oracle;
-use tetralux::renderer::{Frame, Settings};
+use tetralux::renderer::{Frame, Method};
 use tetralux::scene::{Camera, Optics, Projection, TransferFunction, Widget, WidgetShape};
 use tetralux::tet::TetMesh;
 
@@ -126,41 +126,53 @@ fn check(renderer: &mut GpuRenderer, mesh: &TetMesh, camera: &Camera, extinction
     total.worst = total.worst.max(verdict.comparison.max);
 }
 
-fn is_watertight(mesh: &Arc<TetMesh>, place: Place, count: usize, what: &str) {
-    let mut renderer = gpu::renderer(mesh, Settings::default());
+fn is_watertight(method: Method, mesh: &Arc<TetMesh>, place: Place, count: usize, what: &str) {
+    let mut renderer = gpu::renderer(mesh, gpu::by(method));
     for depth in DEPTHS {
         let mut total = Total::default();
         for camera in cameras(place, count) {
             check(&mut renderer, mesh, &camera, depth / DIAGONAL, &mut total);
         }
-        println!("{what}, {place:?}, k * diagonal = {depth}: {total:?}");
+        println!("{what}, {method:?}, {place:?}, k * diagonal = {depth}: {total:?}");
         assert!(total.seen > 1_000 * count && total.left_out * 1_000 < total.seen, "{total:?}");
-        assert!(total.unknown == 0, "{what}, {place:?}, depth {depth}: {total:?}");
+        assert!(total.unknown == 0, "{what}, {method:?}, {place:?}, depth {depth}: {total:?}");
         assert!(
             total.snapped as f64 <= MOST_SNAPPED * total.seen as f64,
-            "{what}, {place:?}, depth {depth}: {total:?}"
+            "{what}, {method:?}, {place:?}, depth {depth}: {total:?}"
         );
     }
 }
 
 #[test]
 fn a_regular_box_is_watertight() {
-    is_watertight(&regular(), Place::Outside, 40, "regular");
+    is_watertight(Method::Project, &regular(), Place::Outside, 40, "regular");
 }
 
 #[test]
 fn a_regular_box_is_watertight_from_inside() {
-    is_watertight(&regular(), Place::Inside, 10, "regular");
+    is_watertight(Method::Project, &regular(), Place::Inside, 10, "regular");
 }
 
 #[test]
 fn a_delaunay_box_is_watertight() {
-    is_watertight(&random(), Place::Outside, 40, "random");
+    is_watertight(Method::Project, &random(), Place::Outside, 40, "random");
 }
 
 #[test]
 fn a_delaunay_box_is_watertight_from_inside() {
-    is_watertight(&random(), Place::Inside, 10, "random");
+    is_watertight(Method::Project, &random(), Place::Inside, 10, "random");
+}
+
+#[test]
+fn front_faces_of_a_regular_box_are_watertight() {
+    is_watertight(Method::CellCast, &regular(), Place::Outside, 16, "regular");
+    is_watertight(Method::CellCast, &regular(), Place::Inside, 4, "regular");
+}
+
+#[test]
+fn front_faces_of_a_delaunay_box_are_watertight() {
+    is_watertight(Method::CellCast, &random(), Place::Outside, 16, "random");
+    is_watertight(Method::CellCast, &random(), Place::Inside, 4, "random");
 }
 
 /// The same check sees a single cell of 10,000 missing.
@@ -175,7 +187,7 @@ fn a_missing_cell_is_seen() {
         };
         let cell = (0..mesh.tets.len()).min_by(|&i, &j| distance(&mesh.tets[i]).total_cmp(&distance(&mesh.tets[j])));
         mesh.tets.swap_remove(cell.expect("cells"));
-        let mut renderer = gpu::renderer(&Arc::new(mesh), Settings::default());
+        let mut renderer = gpu::renderer(&Arc::new(mesh), gpu::by(Method::Project));
         for depth in DEPTHS {
             let mut total = Total::default();
             for camera in cameras(Place::Outside, 12) {

@@ -207,6 +207,7 @@ impl ChoiceArgs {
             method: match self.method {
                 Method::Auto => renderer::Method::Auto,
                 Method::Project => renderer::Method::Project,
+                Method::Cellcast => renderer::Method::CellCast,
                 Method::Raycast => renderer::Method::RayCast,
             },
             integral: self.integral,
@@ -273,6 +274,8 @@ pub(super) enum Method {
     Auto,
     /// Projected tetrahedra
     Project,
+    /// Front faces of cells; exits by the planes of the other faces
+    Cellcast,
     /// Rays from cell to cell: visibility is exact
     Raycast,
 }

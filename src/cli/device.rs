@@ -73,7 +73,9 @@ fn cast(mesh: &Arc<TetMesh>, settings: Settings) -> Result<Box<dyn Renderer>> {
 fn on_gpu(gpu: Gpu, mesh: &Arc<TetMesh>, settings: Settings) -> Result<Box<dyn Renderer>> {
     Ok(match settings.method {
         Method::RayCast => Box::new(RayCaster::new(gpu, Arc::clone(mesh), settings)?),
-        Method::Auto | Method::Project => Box::new(GpuRenderer::new(gpu, Arc::clone(mesh), settings)?),
+        Method::Auto | Method::Project | Method::CellCast => {
+            Box::new(GpuRenderer::new(gpu, Arc::clone(mesh), settings)?)
+        }
     })
 }
 

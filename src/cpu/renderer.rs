@@ -60,9 +60,10 @@ impl CpuRenderer {
     /// # Errors
     /// [`Error::Asked`] for a method that is not ray casting.
     pub fn new(mesh: Arc<TetMesh>, settings: Settings) -> Result<Self> {
-        if settings.method == Method::Project {
+        if matches!(settings.method, Method::Project | Method::CellCast) {
             return Err(Error::Asked(
-                "the CPU engine casts rays: ask for --method raycast, or for projection with --device gpu".into(),
+                "the CPU engine casts rays: ask for --method raycast, or for project and cellcast with --device gpu"
+                    .into(),
             ));
         }
         let cells = LinkedMesh::new(&mesh);

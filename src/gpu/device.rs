@@ -224,7 +224,7 @@ impl Gpu {
         Ok(Kernel { name, pipeline, bindings: module.bindings, layouts })
     }
 
-    /// A render kernel drawing triangles; `entries` names the vertex and fragment entry points.
+    /// A render kernel drawing triangles, but for those `culled`; `entries` names the vertex and fragment entry points.
     ///
     /// # Errors
     /// The shader does not compile.
@@ -235,6 +235,7 @@ impl Gpu {
         constants: &[(&str, f64)],
         targets: &[Option<wgpu::ColorTargetState>],
         vertex_buffers: &[Option<wgpu::VertexBufferLayout<'_>>],
+        culled: Option<wgpu::Face>,
     ) -> Result<DrawKernel> {
         let name = module.name;
         let layouts = self.layouts(&module);
@@ -251,7 +252,7 @@ impl Gpu {
                 compilation_options: options.clone(),
                 buffers: vertex_buffers,
             },
-            primitive: wgpu::PrimitiveState::default(),
+            primitive: wgpu::PrimitiveState { cull_mode: culled, ..Default::default() },
             depth_stencil: None,
             multisample: wgpu::MultisampleState::default(),
             fragment: Some(wgpu::FragmentState {

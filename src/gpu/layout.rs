@@ -160,7 +160,7 @@ pub struct BandTotals {
     pub deep: u32,
 }
 
-/// `project.wgsl`.
+/// `shared/corners.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 #[expect(missing_docs, reason = "the fields are documented in the shader")]

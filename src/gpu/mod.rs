@@ -1,6 +1,7 @@
 //! Rendering on the GPU through wgpu: the only module that knows of it.
 
 mod cells;
+mod cover;
 mod device;
 mod frame;
 mod integral;

@@ -1,9 +1,10 @@
-//! Projected tetrahedra on the GPU: the passes of a frame, in order.
+//! Projected cells on the GPU: the passes of a frame, in order.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use crate::error::{Error, Result};
+use crate::gpu::cover::Cover;
 use crate::gpu::device::{Gpu, Kernel, Resources};
 use crate::gpu::frame;
 use crate::gpu::layout;
@@ -36,11 +37,12 @@ const PAIRS_PAY: f64 = 1.1;
 /// and these fit the caches. 16,384 took 1.25 times as long a frame (584,000 cells), 1,024 as long for its passes.
 const SOFTWARE_DRAW: u32 = 3072;
 
-/// Renders one mesh by projection (Shirley & Tuchman 1990) in compute and raster passes.
+/// Renders one mesh by projection (Shirley & Tuchman 1990; Weiler et al. 2003) in compute and raster passes.
 pub struct GpuRenderer {
     gpu: Gpu,
     mesh: Arc<TetMesh>,
     settings: Settings,
+    cover: Cover,
     f16: bool,
     store: Store,
     frame: wgpu::Buffer,
@@ -75,10 +77,23 @@ impl GpuRenderer {
                 return Err(Error::Device(format!("'{name}' cannot blend f32; render with --blend f16 or auto")));
             }
         };
-        let store = Store::new(&gpu, &mesh, sorts_on_host(&gpu, settings), 0, 0)?;
+        let cover = Cover::of(settings.method);
+        let store = Store::new(&gpu, &mesh, cover, sorts_on_host(&gpu, settings), 0, 0)?;
         let frame = gpu.uniform("frame", &[layout::Frame::default()]);
         let light = gpu.uniform("light", &[layout::Light::default()]);
-        Ok(Self { gpu, mesh, settings, f16, store, frame, light, scene: None, target: None, slabs: Slabs::default() })
+        Ok(Self {
+            gpu,
+            mesh,
+            settings,
+            cover,
+            f16,
+            store,
+            frame,
+            light,
+            scene: None,
+            target: None,
+            slabs: Slabs::default(),
+        })
     }
 
     /// The cells of the last frame, back to front, as the raster pass drew them. Pieces of cells that the near plane
@@ -183,7 +198,7 @@ impl GpuRenderer {
             let room = |n: usize| (n as u64 * 3 / 2).max(4096);
             let (vertices, tets) = (room(cut.vertices.len()), room(cut.tets.len()));
             let on_host = sorts_on_host(&self.gpu, self.settings);
-            self.store = Store::new(&self.gpu, &self.mesh, on_host, vertices, tets)?;
+            self.store = Store::new(&self.gpu, &self.mesh, self.cover, on_host, vertices, tets)?;
             // Candidates, and the constants that say how tetrahedra are bound, are of the old buffers.
             let scene = self.scene.take().ok_or_else(unprepared)?;
             self.prepare_scene(&scene.transfer.source, scene.transfer.emission, scene.variant)?;
@@ -213,7 +228,7 @@ impl GpuRenderer {
     fn draw_frame(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Drawn> {
         light::check(frame.optics)?;
         let perspective = matches!(frame.camera.projection, Projection::Perspective { .. });
-        let variant = Variant { perspective, shading: Shading::of(frame.optics) };
+        let variant = Variant { perspective, cover: self.cover, shading: Shading::of(frame.optics) };
         self.prepare_scene(frame.transfer, frame.optics.emission, variant)?;
         if self.target.as_ref().is_none_or(|t| t.size != frame.size) {
             self.target = Some(Target::new(&self.gpu, frame.size, self.f16)?);
@@ -249,7 +264,7 @@ impl GpuRenderer {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let interpolation = if clipped { "in perspective, as outlines may be clipped" } else { "linearly" };
         let kind = scene.transfer.describe(self.settings.integral, scene.spans.map(|s| s.paired));
-        let pipelines = format!("{kind}; values are interpolated {interpolation}");
+        let pipelines = format!("{kind}; {} are drawn, and values interpolated {interpolation}", self.cover.describe());
         let stats = Stats { passes, notes, pipelines, adapter: self.gpu.describe(), ..Default::default() };
         Ok(Drawn { stats, pieces })
     }
@@ -306,6 +321,7 @@ impl GpuRenderer {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let target = self.target.as_ref().ok_or_else(unprepared)?;
         let (gpu, store) = (&self.gpu, &self.store);
+        let indices = self.cover.indices();
         let all_deep = scene.spans.is_none_or(|spans| spans.deep);
         let raster = |deep| scene.raster(clipped, deep).ok_or_else(unprepared);
         // The variants bind alike.
@@ -320,7 +336,7 @@ impl GpuRenderer {
                     pass.set_index_buffer(store.indices.slice(..), wgpu::IndexFormat::Uint32);
                     pass.set_vertex_buffer(0, store.cells.corners.slice(..));
                     match range {
-                        Some(cells) => pass.draw_indexed(cells.start * 6..cells.end * 6, 0, 0..1),
+                        Some(cells) => pass.draw_indexed(cells.start * indices..cells.end * indices, 0, 0..1),
                         None => pass.draw_indexed_indirect(&store.cells.draws, u64::from(chunk) * 20),
                     }
                 })?;
@@ -358,9 +374,9 @@ impl GpuRenderer {
 
     /// Makes the corners of one chunk's cells.
     fn project_chunk(&self, recorder: &mut Recorder<'_>, all: &Resources<'_>, chunk: u32) -> Result<()> {
-        let project = &self.scene.as_ref().ok_or_else(unprepared)?.project;
+        let corners = &self.scene.as_ref().ok_or_else(unprepared)?.corners;
         let resources = all.clone().with("chunk", &self.store.chunks[chunk as usize]);
-        recorder.compute(project, &project.bind(&self.gpu, &resources)?, Work::Items(self.store.chunk_cells))
+        recorder.compute(corners, &corners.bind(&self.gpu, &resources)?, Work::Items(self.store.chunk_cells))
     }
 
     fn finish_picture(&self, recorder: &mut Recorder<'_>, composed: &wgpu::TextureView) -> Result<()> {
@@ -408,6 +424,7 @@ impl GpuRenderer {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let target = self.target.as_ref().ok_or_else(unprepared)?;
         let (gpu, store) = (&self.gpu, &self.store);
+        let indices = self.cover.indices();
         let (Some(kernels), Some(slab_target)) = (&scene.slabs, &target.slabs) else { return Err(unprepared()) };
         let all = self.resources(&scene.transfer);
         let deep = scene.spans.is_none_or(|spans| spans.deep);
@@ -439,7 +456,7 @@ impl GpuRenderer {
                     self.set_viewport(pass, clipped);
                     pass.set_index_buffer(store.indices.slice(..), wgpu::IndexFormat::Uint32);
                     pass.set_vertex_buffer(0, store.cells.corners.slice(..));
-                    pass.draw_indexed(start * 6..end * 6, 0, 0..1);
+                    pass.draw_indexed(start * indices..end * indices, 0, 0..1);
                 })?;
                 loads = [wgpu::LoadOp::Load; 2];
             }

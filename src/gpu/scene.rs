@@ -1,6 +1,7 @@
 //! Kernels specialised for a transfer function and a kind of projection: what a scene does not use is compiled away.
 
 use crate::error::Result;
+use crate::gpu::cover::Cover;
 use crate::gpu::device::{DrawKernel, Gpu, Kernel};
 use crate::gpu::layout::BandTotals;
 use crate::gpu::light::Shading;
@@ -12,6 +13,8 @@ use crate::gpu::transfer::TransferBuffers;
 pub struct Variant {
     /// The kind of projection.
     pub perspective: bool,
+    /// What is drawn of a cell.
+    pub cover: Cover,
     /// Lighting and silhouettes.
     pub shading: Shading,
 }
@@ -37,7 +40,7 @@ pub struct SceneKernels {
     /// Lists survivors and their keys.
     pub keys: Kernel,
     /// Corners of a chunk.
-    pub project: Kernel,
+    pub corners: Kernel,
     /// Draws a chunk.
     raster: [[Option<DrawKernel>; 2]; 2],
     /// Finishes the picture.
@@ -137,12 +140,13 @@ impl SceneKernels {
         constants.extend_from_slice(&variant.shading.constants());
         constants.push(("BANDS", flag(spans.is_some())));
         constants.push(("LONGEST_HAIR", LONGEST_HAIR));
+        constants.push(("INDICES", f64::from(variant.cover.indices())));
         constants.push(("PAIRED", flag(spans.is_some_and(|s| s.paired))));
         let slab_constants = [&constants[..], &[("SLAB", 1.0)]].concat();
         let full = ["vertex", "fragment"];
         let resolve = |constants: &[_]| {
             let targets = [target(wgpu::TextureFormat::Rgba32Float, None)];
-            gpu.draw_kernel(Module::new("resolve")?, full, constants, &targets, &[])
+            gpu.draw_kernel(Module::new("resolve")?, full, constants, &targets, &[], None)
         };
         Ok(Self {
             variant,
@@ -153,7 +157,7 @@ impl SceneKernels {
             cull_near: None,
             compact: gpu.kernel("compact", &constants)?,
             keys: gpu.kernel("keys", &constants)?,
-            project: gpu.kernel("project", &constants)?,
+            corners: gpu.kernel(variant.cover.pass(), &constants)?,
             f16,
             raster: Default::default(),
             resolve: resolve(&constants)?,
@@ -206,7 +210,8 @@ impl SceneKernels {
         let (module, scale) = if clipped { (module.in_perspective(), 1.0) } else { (module, 1.0 / GUARD) };
         let constants = [&self.constants[..], &[("CLIP_SCALE", scale), ("DEEP", f64::from(u8::from(deep)))]].concat();
         let entries = [vertex.as_str(), fragment.as_str()];
-        let kernel = gpu.draw_kernel(module, entries, &constants, &targets, &[Some(corners)])?;
+        let culled = self.variant.cover.culled();
+        let kernel = gpu.draw_kernel(module, entries, &constants, &targets, &[Some(corners)], culled)?;
         self.raster[usize::from(clipped)][usize::from(deep)] = Some(kernel);
         Ok(())
     }
@@ -222,7 +227,7 @@ impl SceneKernels {
     }
 }
 
-/// What `project` writes of a corner, in order.
+/// What `project` and `faces` write of a corner, in order.
 fn corner_attributes(bivariate: bool, in_spans: bool, shaded: bool) -> Vec<wgpu::VertexAttribute> {
     use wgpu::VertexFormat::{Float32x2, Float32x3};
     let mut formats = vec![(0, Float32x2), (1, Float32x2), (2, Float32x3)];

@@ -2,6 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::gpu::cells::CellBuffers;
+use crate::gpu::cover::Cover;
 use crate::gpu::device::{Gpu, Resources};
 use crate::gpu::layout;
 use crate::gpu::mesh::{MeshBuffers, TetRange, part_size, ranges};
@@ -34,7 +35,7 @@ pub struct Store {
     pub most_drawn: u32,
     /// A `Chunk` each.
     pub chunks: Vec<wgpu::Buffer>,
-    /// Two triangles a cell of a chunk.
+    /// The triangles of a chunk's cells.
     pub indices: wgpu::Buffer,
     range_uniforms: Vec<wgpu::Buffer>,
     pieces_uniform: wgpu::Buffer,
@@ -61,7 +62,14 @@ impl Store {
     ///
     /// # Errors
     /// A mesh beyond the device's limits, with the numbers.
-    pub fn new(gpu: &Gpu, mesh: &TetMesh, sort_on_host: bool, spare_vertices: u64, spare_tets: u64) -> Result<Self> {
+    pub fn new(
+        gpu: &Gpu,
+        mesh: &TetMesh,
+        cover: Cover,
+        sort_on_host: bool,
+        spare_vertices: u64,
+        spare_tets: u64,
+    ) -> Result<Self> {
         let tets = mesh.tets.len() as u32;
         let capacity = if spare_tets == 0 { u64::from(tets) } else { u64::from(pieces_start(tets)) + spare_tets };
         check_size(gpu, mesh.vertices.len() as u64 + spare_vertices, capacity)?;
@@ -80,7 +88,7 @@ impl Store {
                 gpu.uniform("chunk", &[layout::Chunk { first_cell, cells: chunk_cells, ..Default::default() }])
             })
             .collect();
-        let indices = outline_indices(chunk_cells);
+        let indices = triangle_indices(cover, chunk_cells);
         let usage = wgpu::BufferUsages::INDEX | wgpu::BufferUsages::COPY_DST;
         let index_buffer = gpu.buffer("indices", indices.len() as u64 * 4, usage);
         gpu.write(&index_buffer, 0, bytemuck::cast_slice(&indices));
@@ -231,9 +239,9 @@ fn chunk_cells(tets: u32) -> u32 {
     (1u32 << (tets / 8).max(1).ilog2()).clamp(16_384, 262_144).min(tets.max(1).next_multiple_of(256))
 }
 
-/// Each cell's outline as two triangles.
-fn outline_indices(cells: u32) -> Vec<u32> {
-    (0..cells).flat_map(|cell| [0, 1, 2, 0, 2, 3].map(|corner: u32| cell * 4 + corner)).collect()
+/// Each cell's triangles.
+fn triangle_indices(cover: Cover, cells: u32) -> Vec<u32> {
+    (0..cells).flat_map(|cell| cover.triangles().iter().map(move |corner| cell * 4 + corner)).collect()
 }
 
 /// Refuses meshes beyond the device, with the numbers.

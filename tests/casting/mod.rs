@@ -2,5 +2,6 @@
 
 mod agreement;
 mod integrals;
+mod peers;
 mod real;
 mod watertight;

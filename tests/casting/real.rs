@@ -14,8 +14,8 @@ use crate::engine;
 
 const SIZE: [u32; 2] = [512, 512];
 /// Issue 4; larger errors lie where the true picture changes as much within [`SHIFT`] pixels.
-const LIMITS: Limits = Limits { psnr: 80.0, percentile_99_9: 1e-3, explained_above: 2e-3 };
-const SHIFT: f64 = 1e-3;
+pub const LIMITS: Limits = Limits { psnr: 80.0, percentile_99_9: 1e-3, explained_above: 2e-3 };
+pub const SHIFT: f64 = 1e-3;
 
 /// Four views: from outside, from far above, and two from within a cell.
 fn cameras(mesh: &TetMesh) -> [(&'static str, Camera); 4] {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use tetralux::gpu::{DeviceChoice, Gpu, GpuRenderer};
 use tetralux::image::Image;
-use tetralux::renderer::{Frame, Rendered, Renderer as _, Settings};
+use tetralux::renderer::{Frame, Method, Rendered, Renderer as _, Settings};
 use tetralux::scene::{Camera, Optics, TransferFunction};
 use tetralux::tet::TetMesh;
 
@@ -22,6 +22,14 @@ pub fn choice() -> DeviceChoice {
              cargo nextest run -E 'not binary(/^gpu_/)'"
         ),
     }
+}
+
+/// The methods that project cells: what holds for one holds for the other, within the same limits.
+pub const PROJECTIONS: [Method; 2] = [Method::Project, Method::CellCast];
+
+/// Defaults, by a method.
+pub fn by(method: Method) -> Settings {
+    Settings { method, ..Settings::default() }
 }
 
 /// An opened device.

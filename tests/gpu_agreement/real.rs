@@ -8,11 +8,12 @@ use std::sync::Arc;
 use tetralux::image::Image;
 use tetralux::oracle::Oracle;
 use tetralux::plan::order::centroid_depth;
-use tetralux::renderer::{Frame, Settings};
+use tetralux::renderer::Frame;
 use tetralux::scene::{Curve, Optics, TransferFunction};
 use tetralux::tet::TetMesh;
 
 use crate::common::agreement::{Cause, Explainer, Limits, Verdict, assert_limits_bite};
+use crate::common::gpu::PROJECTIONS;
 use crate::common::peer_scene::PeerScene;
 use crate::common::{folder, gpu, meshes};
 
@@ -46,10 +47,11 @@ fn agrees(name: &str, view: usize) {
     let mesh: Arc<TetMesh> = meshes::read(&peers.join(&scene.mesh), &scene.array);
     let (camera, transfer) = (scene.camera(view), scene.transfer());
     let plain = one_color(&transfer);
-    let mut renderer = gpu::renderer(&mesh, Settings::default());
-    let got = gpu::draw(&mut renderer, &camera, &transfer, scene.image).image;
-    let got_plain = gpu::draw(&mut renderer, &camera, &plain, scene.image).image;
-    drop(renderer);
+    let pictures = PROJECTIONS.map(|method| {
+        let mut renderer = gpu::renderer(&mesh, gpu::by(method));
+        let mut draw = |transfer| gpu::draw(&mut renderer, &camera, transfer, scene.image).image;
+        (method, draw(&transfer), draw(&plain))
+    });
     let oracle = Oracle::new(mesh.clone());
     let frame =
         Frame { camera: &camera, transfer: &transfer, optics: &Optics::PLAIN, size: scene.image, background: [0.0; 4] };
@@ -59,16 +61,18 @@ fn agrees(name: &str, view: usize) {
     let view_of_mesh = oracle.view(&frame_plain).expect("a view");
     let explainer = Explainer { mesh: &mesh, frame: frame_plain, view: view_of_mesh, shift: SHIFT };
     let truth_plain = colored(&truth);
-    let geometry = Verdict::new(&got_plain, &truth_plain, GEOMETRY, |pixel, error| explainer.cause(pixel, error));
-    let sorted = Verdict::new(&got, &truth, SORTED, |_, _| Cause::Unknown);
-    let integration = Verdict::new(&got, &in_order, INTEGRATION, |_, _| Cause::Unknown);
-    println!("{name} view {view}: one colour {geometry}");
-    println!("{name} view {view}: sorted     {sorted}");
-    println!("{name} view {view}: own order  {integration}");
     assert_limits_bite(&truth_plain, GEOMETRY);
-    geometry.assert_good("one colour");
-    sorted.assert_good("sorted by centroids");
-    integration.assert_good("in its own order");
+    for (method, got, got_plain) in pictures {
+        let geometry = Verdict::new(&got_plain, &truth_plain, GEOMETRY, |pixel, error| explainer.cause(pixel, error));
+        let sorted = Verdict::new(&got, &truth, SORTED, |_, _| Cause::Unknown);
+        let integration = Verdict::new(&got, &in_order, INTEGRATION, |_, _| Cause::Unknown);
+        println!("{name} view {view}, {method:?}: one colour {geometry}");
+        println!("{name} view {view}, {method:?}: sorted     {sorted}");
+        println!("{name} view {view}, {method:?}: own order  {integration}");
+        geometry.assert_good(&format!("{method:?}, one colour"));
+        sorted.assert_good(&format!("{method:?}, sorted by centroids"));
+        integration.assert_good(&format!("{method:?}, in its own order"));
+    }
 }
 
 macro_rules! views {

@@ -11,6 +11,7 @@ use tetralux::scene::{Camera, Curve, CurveNode, Optics, Projection, TransferFunc
 use tetralux::tet::TetMesh;
 
 use crate::common::agreement::{Explainer, Limits, Verdict, assert_limits_bite};
+use crate::common::gpu::PROJECTIONS;
 use crate::common::{gpu, meshes};
 
 const SIZE: [u32; 2] = [128, 128];
@@ -126,12 +127,9 @@ fn agrees_at(
     size: [u32; 2],
 ) -> bool {
     let mut in_bands = false;
-    let mut renderer = gpu::renderer(mesh, Settings::default());
+    let mut renderers = PROJECTIONS.map(|method| (method, gpu::renderer(mesh, gpu::by(method))));
     let oracle = Oracle::new(mesh.clone());
     for &camera in cameras {
-        let drawn = gpu::draw(&mut renderer, &camera, transfer, size);
-        in_bands = drawn.stats.cells.iter().any(|(stage, _)| stage == "spans of them");
-        let got = drawn.image;
         let frame = Frame { camera: &camera, transfer, optics: &Optics::PLAIN, size, background: [0.0; 4] };
         let want = match own_order {
             true => oracle.render_in_order(&frame, &centroid_depth(mesh, &camera)),
@@ -141,12 +139,16 @@ fn agrees_at(
         let seen = want.pixels.iter().filter(|p| p[3] > 0.01).count();
         assert!(seen > 1_000, "{what}: seen in {seen} pixels");
         let explainer = Explainer { mesh, frame, view: oracle.view(&frame).expect("a view"), shift: SHIFT };
-        let verdict = Verdict::new(&got, &want, limits, |pixel, error| explainer.cause(pixel, error));
-        println!("{what}: {verdict}");
+        for (method, renderer) in &mut renderers {
+            let drawn = gpu::draw(renderer, &camera, transfer, size);
+            in_bands = drawn.stats.cells.iter().any(|(stage, _)| stage == "spans of them");
+            let verdict = Verdict::new(&drawn.image, &want, limits, |pixel, error| explainer.cause(pixel, error));
+            println!("{what}, {method:?}: {verdict}");
+            verdict.assert_good(&format!("{what}, {method:?}"));
+        }
         if limits.explained_above.is_finite() {
             assert_limits_bite(&want, limits);
         }
-        verdict.assert_good(what);
     }
     in_bands
 }

@@ -1,0 +1,277 @@
+#import shared/frame
+#import shared/counts
+#import shared/tets
+#import shared/bands
+
+// What the passes share that write the corners of one chunk's cells, in the order of drawing (project.wgsl, faces.wgsl).
+
+@group(1) @binding(0) var<storage, read> vertices: array<vec4f>;
+@group(1) @binding(1) var<storage, read> gradients: array<f32>;
+@group(1) @binding(2) var<storage, read> gradient_vectors: array<f32>; // three a vertex; the largest has length 1
+@group(3) @binding(0) var<uniform> chunk: Chunk;
+@group(3) @binding(1) var<storage, read> counts: Counts;
+@group(3) @binding(2) var<storage, read> order: array<u32>; // cells, or spans of cells, back to front
+@group(3) @binding(4) var<storage, read> cell_bands: array<u32>;
+@group(3) @binding(3) var<storage, read> projected: array<vec2f>;
+// Four corners a cell; per corner: clip xy; 1/z and scalar/z; three tent functions; then, of the first corner alone, at
+// the apex, the thickness (negative where the front is the interpolated side) and the change of scalar/z from the
+// interpolated to the other side; with BIVARIATE gradient/z and its change; with BANDS the lower piece, as 8 x piece
+// + 1 where the span is not clipped below + 2 where it is not above + 4 where it has no upper band, and the scalar is that
+// of the span. With SHADED the
+// gradient vector/z in view axes, and its change, come last.
+//
+// Few and plain stores: on a software adapter they were most of the time of this pass.
+@group(3) @binding(5) var<storage, read_write> corners: array<f32>;
+
+struct Chunk {
+    first_cell: u32,
+    cells: u32,
+    pad_a: u32,
+    pad_b: u32,
+}
+
+override BIVARIATE: bool = false;
+override SHADED: bool = false;
+
+// Of the point on screen where a cell is thickest, from its front to its back.
+struct Apex {
+    thickness: f32,
+    scalar_change: f32,
+    gradient_change: f32,
+    vector_change: vec3f,
+}
+
+// A cell, or span of one, from the eye. Its vertices are in front or behind: the mean of those in front lies before that of
+// the others, at the apex. A face opposite to a vertex behind is a front face.
+struct SeenCell {
+    tet: vec4u,
+    // -1 where ascending ids are an odd permutation.
+    parity: f32,
+    front: vec4<bool>,
+    // Vertices in front.
+    count: u32,
+    inverse_depths: vec4f,
+    scalars: vec4f,
+    gradients: vec4f,
+    apex: Apex,
+    // Of the vertices that surround the apex, 1 / (share in it, as a mean on screen).
+    peaks: vec4f,
+    span: u32,
+}
+
+// What is affine over a triangle of a cell, at a corner.
+struct Corner {
+    clip: vec2f,
+    // 1/z, scalar/z, gradient/z.
+    plane: vec3f,
+    tent: vec3f,
+    // Gradient vector/z.
+    vector: vec3f,
+}
+
+const FLOATS: u32 = 9u;
+const BANDS_FLOATS: u32 = 10u;
+const BIVARIATE_FLOATS: u32 = 11u;
+const SHADED_FLOATS: u32 = 6u; // more
+// How much larger cells are drawn, pixels: twice the rasteriser's grid.
+const HAIR: f32 = 0.0078125;
+const NO_CUT: f32 = 2.0;
+// At most: the corners of needles would be far away.
+override LONGEST_HAIR: f32;
+
+// Volume of the eye and a face (perspective), or the face's area seen along the view (orthographic), times 6 or 2.
+// The two cells at a face pass its vertices in the same order and get the same bits.
+fn face_weight(a: vec3f, ab: vec3f, ac: vec3f) -> f32 {
+    let normal = cross(ab, ac);
+    if PERSPECTIVE {
+        return dot(normal, a);
+    }
+    return dot(normal, frame.forward);
+}
+
+// Of a vertex, in view axes.
+fn gradient_vector(vertex: u32) -> vec3f {
+    let at = 3u * vertex;
+    let vector = vec3f(gradient_vectors[at], gradient_vectors[at + 1u], gradient_vectors[at + 2u]);
+    return vec3f(frame.ray_per_clip_x * dot(frame.x_row, vector), frame.ray_per_clip_y * dot(frame.y_row, vector),
+                 dot(frame.forward, vector));
+}
+
+override BANDS_PER_SPAN: u32 = select(1u, 2u, PAIRED);
+
+// The span of a cell that is drawn as the k-th from behind. `mu`: weights of the vertices, whose mean is the eye. Along
+// every ray from there scalars only rise or only fall, so spans farther from the eye's scalar lie behind.
+fn span_index(k: u32, bands: u32, mu: vec4f, scalars: vec4f) -> u32 {
+    let last = span_count(bands) - 1u;
+    var below_eye = 0u;
+    for (var j = 1u; j <= last; j++) {
+        if dot(mu, scalars - nodes[first_band(bands) + BANDS_PER_SPAN * j].x) >= 0.0 {
+            below_eye = j;
+        }
+    }
+    let above_eye = last - below_eye;
+    return select(k - above_eye, last - k, k < above_eye);
+}
+
+// Class and apex in the form of Radon weights (optics.md 6.2): one formula for all classes and degeneracies, no 2D
+// intersection, no difference of depths.
+fn seen_cell(entry: u32) -> SeenCell {
+    let cell = select(entry, entry >> SPAN_BITS, BANDS);
+    let tet = tet_at(cell);
+    let p0 = vertices[tet.x];
+    let p1 = vertices[tet.y];
+    let p2 = vertices[tet.z];
+    let p3 = vertices[tet.w];
+    let v0 = from_eye(p0.xyz);
+    let v1 = from_eye(p1.xyz);
+    let v2 = from_eye(p2.xyz);
+    let v3 = from_eye(p3.xyz);
+    let e01 = p1.xyz - p0.xyz;
+    let e02 = p2.xyz - p0.xyz;
+    let e03 = p3.xyz - p0.xyz;
+    let volume = volumes[cell];
+    var seen: SeenCell;
+    seen.tet = tet;
+    seen.parity = select(1.0, -1.0, volume < 0.0);
+    let mu = seen.parity * vec4f(face_weight(v1, p2.xyz - p1.xyz, p3.xyz - p1.xyz), -face_weight(v0, e02, e03),
+                                 face_weight(v0, e01, e03), -face_weight(v0, e01, e02));
+    let front = mu > vec4f(0.0);
+    let front_weights = max(mu, vec4f(0.0));
+    let back_weights = max(-mu, vec4f(0.0));
+    let front_sum = dot(front_weights, vec4f(1.0));
+    let back_sum = dot(back_weights, vec4f(1.0));
+    let point = front_weights.x * v0 + front_weights.y * v1 + front_weights.z * v2 + front_weights.w * v3;
+    // A cell seen exactly edge-on has no weight at all: it gets a thickness of zero.
+    let least = 1e-37;
+    var scales = vec2f(1.0 / max(dot(frame.forward, point), least));
+    if !PERSPECTIVE {
+        scales = 1.0 / max(vec2f(front_sum, back_sum), vec2f(least));
+    }
+    if front_sum > least && back_sum > least {
+        seen.apex.thickness = abs(volume) * scales.x;
+    }
+    seen.scalars = vec4f(p0.w, p1.w, p2.w, p3.w);
+    if BANDS {
+        let bands = cell_bands[cell];
+        let index = span_index(entry & (DEEP_SPAN - 1u), bands, mu, seen.scalars);
+        let piece = first_band(bands) + BANDS_PER_SPAN * index;
+        let is_last = index + 1u == span_count(bands);
+        seen.span = piece * 8u + select(0u, 1u, index == 0u && band_reaches_low(bands))
+            + select(0u, 2u, is_last && band_reaches_high(bands))
+            + select(0u, 4u, !PAIRED || (is_last && (band_count(bands) & 1u) != 0u));
+        let middle = nodes[piece + 1u].x;
+        seen.scalars = (seen.scalars - middle) / (middle - nodes[piece].x);
+    }
+    let change = back_weights * scales.y - front_weights * scales.x;
+    seen.apex.scalar_change =
+        dot(back_weights, seen.scalars) * scales.y - dot(front_weights, seen.scalars) * scales.x;
+    if BIVARIATE {
+        seen.gradients = vec4f(gradients[tet.x], gradients[tet.y], gradients[tet.z], gradients[tet.w]);
+        seen.apex.gradient_change =
+            dot(back_weights, seen.gradients) * scales.y - dot(front_weights, seen.gradients) * scales.x;
+    }
+    if SHADED {
+        seen.apex.vector_change = change.x * gradient_vector(tet.x) + change.y * gradient_vector(tet.y)
+            + change.z * gradient_vector(tet.z) + change.w * gradient_vector(tet.w);
+    }
+    seen.front = front;
+    seen.count = u32(front.x) + u32(front.y) + u32(front.z) + u32(front.w);
+    let depths = vec4f(divisor(p0.xyz), divisor(p1.xyz), divisor(p2.xyz), divisor(p3.xyz));
+    seen.inverse_depths = 1.0 / depths;
+    // A tent function is 1 / (share of its corner) there, 0 at the others, and 1 at the apex.
+    let shares = depths * select(front_weights * scales.x, back_weights * scales.y, seen.count == 1u);
+    seen.peaks = 1.0 / max(shares, vec4f(1e-7));
+    return seen;
+}
+
+// `k`: a vertex of the cell, 0 to 3.
+fn corner_of(seen: SeenCell, k: u32) -> Corner {
+    let inverse = seen.inverse_depths[k];
+    var corner = Corner(projected[seen.tet[k]], inverse * vec3f(1.0, seen.scalars[k], seen.gradients[k]), vec3f(), vec3f());
+    if SHADED {
+        corner.vector = inverse * gradient_vector(seen.tet[k]);
+    }
+    return corner;
+}
+
+fn middle_of_two(a: Corner, b: Corner) -> Corner {
+    return Corner(0.5 * (a.clip + b.clip), 0.5 * (a.plane + b.plane), 0.5 * (a.tent + b.tent),
+                  0.5 * (a.vector + b.vector));
+}
+
+fn middle_of_three(a: Corner, b: Corner, c: Corner) -> Corner {
+    let third = 1.0 / 3.0;
+    return Corner(third * (a.clip + b.clip + c.clip), third * (a.plane + b.plane + c.plane),
+                  third * (a.tent + b.tent + c.tent), third * (a.vector + b.vector + c.vector));
+}
+
+// Distance of the line through a and b from the origin.
+fn line_distance(a: vec2f, b: vec2f) -> f32 {
+    let ab = b - a;
+    // No line: no limit.
+    let extent = length(ab);
+    return select(1e30, abs(a.x * ab.y - a.y * ab.x) / max(extent, 1e-30), extent > 0.0);
+}
+
+// By how much the outline grows about its middle, so that each edge moves out by a hair.
+fn growth_about(middle: vec2f, a: vec2f, b: vec2f, c: vec2f, d: vec2f) -> f32 {
+    let half_size = 0.5 * vec2f(frame.image_width, frame.image_height);
+    let p = (a - middle) * half_size;
+    let q = (b - middle) * half_size;
+    let r = (c - middle) * half_size;
+    let s = (d - middle) * half_size;
+    let inner = min(min(line_distance(p, q), line_distance(q, r)), min(line_distance(r, s), line_distance(s, p)));
+    let outer = max(max(length(p), length(q)), max(length(r), length(s)));
+    return min(HAIR / max(inner, 1e-30), LONGEST_HAIR / max(outer, 1e-30));
+}
+
+fn put_corner(at: u32, corner: Corner, middle: Corner, growth: f32) {
+    let clip = corner.clip + growth * (corner.clip - middle.clip);
+    let plane = corner.plane + growth * (corner.plane - middle.plane);
+    let tent = corner.tent + growth * (corner.tent - middle.tent);
+    corners[at] = clip.x;
+    corners[at + 1u] = clip.y;
+    corners[at + 2u] = plane.x;
+    corners[at + 3u] = plane.y;
+    corners[at + 4u] = tent.x;
+    corners[at + 5u] = tent.y;
+    corners[at + 6u] = tent.z;
+    if BIVARIATE {
+        corners[at + 9u] = plane.z;
+    }
+    if SHADED {
+        put_vector(at + plain_size(), corner.vector + growth * (corner.vector - middle.vector));
+    }
+}
+
+fn put_vector(at: u32, vector: vec3f) {
+    corners[at] = vector.x;
+    corners[at + 1u] = vector.y;
+    corners[at + 2u] = vector.z;
+}
+
+// Floats of a corner.
+fn plain_size() -> u32 {
+    return select(select(FLOATS, BANDS_FLOATS, BANDS), BIVARIATE_FLOATS, BIVARIATE);
+}
+
+fn corner_size() -> u32 {
+    return plain_size() + select(0u, SHADED_FLOATS, SHADED);
+}
+
+// Of the cell at `place` of the chunk. `is_back`: corners hold the values of the back.
+fn put_apex(place: u32, seen: SeenCell, is_back: bool) {
+    let at = place * 4u * corner_size();
+    let apex = seen.apex;
+    corners[at + 7u] = select(-apex.thickness, apex.thickness, is_back);
+    corners[at + 8u] = select(apex.scalar_change, -apex.scalar_change, is_back);
+    if BIVARIATE {
+        corners[at + 10u] = select(apex.gradient_change, -apex.gradient_change, is_back);
+    }
+    if BANDS {
+        corners[at + 9u] = f32(seen.span);
+    }
+    if SHADED {
+        put_vector(at + plain_size() + 3u, select(apex.vector_change, -apex.vector_change, is_back));
+    }
+}
