@@ -31,7 +31,7 @@ pub struct PlainWidgets {
 
 impl Medium for PlainWidgets {
     #[inline(always)]
-    fn segment(&self, _: &mut u32, front: [f32; 2], back: [f32; 2], length: f32) -> Seen {
+    fn segment(&self, front: [f32; 2], back: [f32; 2], length: f32) -> Seen {
         let (front, back) = (Vec2::from(front), Vec2::from(back));
         let (mut depth, mut emission) = (0.0, Vec4::ZERO);
         for widget in &self.widgets {
