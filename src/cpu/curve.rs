@@ -155,12 +155,7 @@ impl LaneMedium for CurveMedium {
 
 impl Medium for CurveMedium {
     fn segment(&self, front: [f32; 2], back: [f32; 2], length: f32) -> Seen {
-        let float = |value: f32| Floats::splat(Scalar, value);
-        let which = float(length).above(float(0.0));
-        let segments = Segments { which, front: front.map(float), back: back.map(float), length: float(length) };
-        let seen = self.segments(&mut self.kept(Scalar), &segments);
-        let [r, g, b] = seen.color.map(|color| color.values()[0]);
-        Vec4::new(r, g, b, seen.opacity.values()[0])
+        self.segments(&mut self.kept(Scalar), &Segments::one(front, back, length)).one()
     }
 }
 

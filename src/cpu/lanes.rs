@@ -7,6 +7,9 @@ use pulp::Simd;
 /// No processor has more lanes of 32 bits.
 pub const MOST_LANES: usize = 16;
 
+/// What is added to it loses its fraction: its last digit is 1, and its last bits are those of the whole number.
+const ROUNDS: f32 = 12_582_912.0;
+
 /// One f32 a lane.
 #[derive(Clone, Copy, Debug)]
 pub struct Floats<S: Simd> {
@@ -68,6 +71,27 @@ impl<S: Simd> Floats<S> {
     #[inline(always)]
     pub fn over(self, divisor: Self) -> Self {
         self.map(self.simd.div_f32s(self.lanes, divisor.lanes))
+    }
+
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        self.map(self.simd.sqrt_f32s(self.lanes))
+    }
+
+    /// To whole numbers; of numbers below 2^22.
+    #[inline(always)]
+    pub fn rounded(self) -> Self {
+        (self + self.all(ROUNDS)) - self.all(ROUNDS)
+    }
+
+    /// By the whole power; neither the number nor the result is 0 or denormal.
+    #[inline(always)]
+    pub fn times_power_of_two(self, power: Self) -> Self {
+        let simd = self.simd;
+        let whole = simd.transmute_u32s_f32s((power + self.all(ROUNDS)).lanes);
+        let exponent = simd.wrapping_dyn_shl_u32s(whole, simd.splat_u32s(23));
+        let bits = simd.add_u32s(simd.transmute_u32s_f32s(self.lanes), exponent);
+        self.map(simd.transmute_f32s_u32s(bits))
     }
 
     #[inline(always)]

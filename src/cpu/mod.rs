@@ -30,8 +30,9 @@
 //! # Segments
 //!
 //! Between two faces a transfer function is one of several media, chosen once a scene (`transfer.rs`), and what is seen of
-//! each segment is its closed form: of 1D functions in `curve.rs`, of all lanes at once; of widgets in `widgets/`, lane by
-//! lane. Widgets of several colours are bisected to the tolerance asked for.
+//! each segment is its closed form: of 1D functions in `curve.rs`, of widgets in `widgets/`. Functions and plain widgets
+//! are integrated in all lanes at once, any others lane by lane. Widgets of several colours are bisected to the
+//! tolerance asked for.
 
 mod axes;
 mod cast;

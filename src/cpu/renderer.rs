@@ -105,7 +105,7 @@ impl CpuRenderer {
         let bivariate = scene.compiled.is_bivariate();
         let (image, counts) = match &scene.compiled {
             Compiled::Curve(medium) => picture.cast(medium, bivariate),
-            Compiled::Plain(medium) => picture.cast(&LaneByLane(medium), bivariate),
+            Compiled::Plain(medium) => picture.cast(medium, bivariate),
             Compiled::Any(medium) => picture.cast(&LaneByLane(medium), bivariate),
             Compiled::Adaptive(medium) => picture.cast(&LaneByLane(medium), bivariate),
             Compiled::Partial(medium) => picture.cast(&LaneByLane(medium), bivariate),
@@ -180,7 +180,7 @@ mod tests {
 
     use super::*;
     use crate::mesh::synth::{Sample, tet_box};
-    use crate::scene::{Camera, Curve, CurveNode, Projection};
+    use crate::scene::{Camera, Curve, CurveNode, Projection, Widget, WidgetShape};
     use crate::tet::{BuildOptions, FieldChoice};
 
     /// All that this processor has.
@@ -211,13 +211,21 @@ mod tests {
         let along_axis = Camera { eye: DVec3::new(0.0, 0.0, 3.0), projection, ..from_outside };
         let node = |scalar, extinction| CurveNode { scalar, color: [scalar, 0.5, 1.0 - scalar], extinction };
         let nodes = vec![node(0.0, 0.1), node(0.3, 0.4), node(0.6, 0.2), node(1.0, 9.0)];
-        let transfer = TransferFunction::Curve(Curve { nodes });
+        let shape = WidgetShape::Gaussian { center: [0.4, 1.0], sigma: [0.2, 2.0], angle: 0.0 };
+        let clipped =
+            Widget { scalar_range: Some([0.5, 0.7]), ..Widget::new(WidgetShape::Uniform, [0.2, 0.9, 0.5], 0.3) };
+        let widgets = vec![Widget::new(shape, [1.0, 0.5, 0.2], 0.5), clipped];
+        // Both widgets' colours mixed evenly: one medium in lanes.
+        let settings = Settings { integral: SegmentIntegral::Analytic, ..Settings::default() };
+        let transfers = [TransferFunction::Curve(Curve { nodes }), TransferFunction::Widgets(widgets)];
         let meshes = [(Sample::MarschnerLobb.mesh(3_000), "ml", from_outside), (tet_box(8, 0.0, 1), "x", along_axis)];
-        for (mesh, field, camera) in meshes {
-            let (mesh, _) = TetMesh::new(mesh, &FieldChoice::parse(field), BuildOptions::default()).expect("a mesh");
-            let mut renderer = CpuRenderer::new(Arc::new(mesh), Settings::default()).expect("a renderer");
+        for ((mesh, field, camera), transfer) in meshes.iter().flat_map(|mesh| transfers.iter().map(move |t| (mesh, t)))
+        {
+            let (mesh, _) =
+                TetMesh::new(mesh.clone(), &FieldChoice::parse(field), BuildOptions::default()).expect("a mesh");
+            let mut renderer = CpuRenderer::new(Arc::new(mesh), settings).expect("a renderer");
             let optics = &Optics::PLAIN;
-            let frame = Frame { camera: &camera, transfer: &transfer, optics, size: [64, 64], background: [0.0; 4] };
+            let frame = Frame { camera, transfer, optics, size: [64, 64], background: [0.0; 4] };
             let drawn: Vec<Drawn> = instructions()
                 .into_iter()
                 .map(|arch| {

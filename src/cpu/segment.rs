@@ -1,7 +1,7 @@
 //! Media that segments are integrated in. 1D functions are in `curve.rs`, widgets in a folder of their own.
 
 use glam::Vec4;
-use pulp::Simd;
+use pulp::{Scalar, Simd};
 
 use crate::cpu::lanes::{Floats, Mask};
 
@@ -25,6 +25,15 @@ pub struct Segments<S: Simd> {
     pub length: Floats<S>,
 }
 
+impl Segments<Scalar> {
+    /// A single one.
+    pub fn one(front: [f32; 2], back: [f32; 2], length: f32) -> Self {
+        let float = |value: f32| Floats::splat(Scalar, value);
+        let (front, back, length) = (front.map(float), back.map(float), float(length));
+        Self { which: length.above(float(0.0)), front, back, length }
+    }
+}
+
 /// What is seen of one segment a lane. Nothing where there is none.
 #[derive(Clone, Copy)]
 pub struct SeenLanes<S: Simd> {
@@ -40,6 +49,14 @@ impl<S: Simd> SeenLanes<S> {
             lanes.values_mut()[lane] = value;
         }
         self.opacity.values_mut()[lane] = seen.w;
+    }
+}
+
+impl SeenLanes<Scalar> {
+    /// Of a single segment.
+    pub fn one(&self) -> Seen {
+        let [r, g, b, opacity] = [self.color[0], self.color[1], self.color[2], self.opacity].map(|v| v.values()[0]);
+        Vec4::new(r, g, b, opacity)
     }
 }
 
