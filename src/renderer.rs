@@ -154,6 +154,14 @@ pub struct RayCounts {
     pub lost: u64,
 }
 
+impl RayCounts {
+    /// Of both.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        Self { steps: self.steps + other.steps, repaired: self.repaired + other.repaired, lost: self.lost + other.lost }
+    }
+}
+
 /// What happened while rendering.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stats {

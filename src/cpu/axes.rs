@@ -45,7 +45,12 @@ impl RayAxes {
         }
     }
 
-    /// `vertex`: position and scalar.
+    /// Of each axis its components, and what is added to the products.
+    pub fn rows(&self) -> [[f32; 4]; 3] {
+        [0, 1, 2].map(|i| [self.x[i], self.y[i], self.z[i], self.offset[i]])
+    }
+
+    /// `vertex`: position and scalar. The order of operations is that of all lanes' walks.
     #[inline(always)]
     pub fn apply(&self, vertex: Vec4) -> Vec4 {
         // The multiplications by 0 leave the scalar as it is.

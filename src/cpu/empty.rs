@@ -3,7 +3,7 @@
 use glam::Vec2;
 use rayon::prelude::*;
 
-use crate::cpu::segment::CurveMedium;
+use crate::cpu::curve::CurveMedium;
 use crate::cpu::transfer::Compiled;
 use crate::cpu::widgets::{AnyWidget, Classifier, extremes};
 use crate::tet::{Cell, LinkedMesh};

@@ -4,7 +4,8 @@
 use glam::Vec4;
 use rayon::prelude::*;
 
-use crate::cpu::segment::{CurveMedium, Medium, Seen};
+use crate::cpu::curve::CurveMedium;
+use crate::cpu::segment::{Medium, Seen};
 use crate::cpu::widgets::{attenuation, phi_one};
 
 /// The longest segment: the mesh lies within 1 of the origin.
@@ -34,7 +35,7 @@ impl PreIntegratedMedium {
             let (front, back) = (scalar(i % size), scalar(i / size % size));
             let level = (i / (size * size)) as f32 - (LENGTHS - 1) as f32;
             let length = LONGEST * (LENGTH_STEP * level).exp2();
-            let seen = curve.segment(&mut 0, [front, 0.0], [back, 0.0], length);
+            let seen = curve.segment([front, 0.0], [back, 0.0], length);
             let mean = curve.mean_extinction(front, back);
             let depth = (mean * length).min(1e25);
             // Where nothing absorbs, the colour is any.
@@ -56,7 +57,7 @@ impl PreIntegratedMedium {
 }
 
 impl Medium for PreIntegratedMedium {
-    fn segment(&self, _: &mut u32, front: [f32; 2], back: [f32; 2], length: f32) -> Seen {
+    fn segment(&self, front: [f32; 2], back: [f32; 2], length: f32) -> Seen {
         let last = self.size - 1;
         let place = [front[0], back[0]].map(|s| s.clamp(0.0, 1.0) * last as f32);
         let corner = place.map(|p| (p as usize).min(last - 1));

@@ -4,13 +4,13 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use glam::Vec4;
-use rayon::prelude::*;
+use pulp::Arch;
 
-use crate::cpu::cast;
+use crate::cpu::cast::Setting;
 use crate::cpu::empty::EmptyCells;
-use crate::cpu::segment::Medium;
+use crate::cpu::picture::{Picture, TILE};
+use crate::cpu::segment::LaneByLane;
 use crate::cpu::transfer::{Compiled, known};
-use crate::cpu::walk::{Counts, Sink};
 use crate::cpu::widgets::Axes;
 use crate::error::{Error, Result};
 use crate::image::Image;
@@ -21,16 +21,15 @@ use crate::renderer::{
     BufferSize, Frame, Method, PassTime, RayCounts, Rendered, Renderer, SegmentIntegral, Settings, Stats,
 };
 use crate::scene::{Optics, TransferFunction};
-use crate::tet::{LinkedMesh, Side, TetMesh};
-
-/// Pixels along a tile's side.
-const TILE: u32 = 32;
+use crate::tet::{LinkedMesh, TetMesh};
 
 /// Renders one mesh by casting rays through its cells, in f32 on all cores.
 pub struct CpuRenderer {
     mesh: Arc<TetMesh>,
     cells: LinkedMesh,
     settings: Settings,
+    /// The instructions to use: the widest that the processor has.
+    arch: Arch,
     scene: Option<Scene>,
 }
 
@@ -67,7 +66,7 @@ impl CpuRenderer {
             ));
         }
         let cells = LinkedMesh::new(&mesh);
-        Ok(Self { mesh, cells, settings, scene: None })
+        Ok(Self { mesh, cells, settings, arch: Arch::new(), scene: None })
     }
 
     /// Compiles the transfer function where it changed.
@@ -95,11 +94,11 @@ impl CpuRenderer {
         let scene = self.scene.as_ref().ok_or_else(|| Error::Asked("no scene was prepared".into()))?;
         let prepared = start.elapsed();
         let lens = Lens::new(frame.camera, frame.size, &self.mesh);
-        let job = Job {
-            mesh: &self.cells,
+        let around = eye::sides_around(&self.cells, &lens);
+        let picture = Picture {
+            arch: self.arch,
+            setting: Setting { mesh: &self.cells, lens: &lens, around: &around },
             view: BoundaryView::new(&self.cells.boundary, &lens, frame.size, TILE),
-            around: eye::sides_around(&self.cells, &lens),
-            lens,
             empty: &scene.empty,
             size: frame.size,
             background: Vec4::from(frame.background),
@@ -108,13 +107,13 @@ impl CpuRenderer {
         let binned = start.elapsed();
         let bivariate = scene.compiled.is_bivariate();
         let (image, counts) = match &scene.compiled {
-            Compiled::Curve(medium) => job.image(medium, bivariate),
-            Compiled::Plain(medium) => job.image(medium, bivariate),
-            Compiled::Any(medium) => job.image(medium, bivariate),
-            Compiled::Adaptive(medium) => job.image(medium, bivariate),
-            Compiled::Partial(medium) => job.image(medium, bivariate),
-            Compiled::Points(medium) => job.image(medium, bivariate),
-            Compiled::PreIntegrated(medium) => job.image(medium, bivariate),
+            Compiled::Curve(medium) => picture.cast(medium, bivariate),
+            Compiled::Plain(medium) => picture.cast(medium, bivariate),
+            Compiled::Any(medium) => picture.cast(&LaneByLane(medium), bivariate),
+            Compiled::Adaptive(medium) => picture.cast(&LaneByLane(medium), bivariate),
+            Compiled::Partial(medium) => picture.cast(&LaneByLane(medium), bivariate),
+            Compiled::Points(medium) => picture.cast(&LaneByLane(medium), bivariate),
+            Compiled::PreIntegrated(medium) => picture.cast(&LaneByLane(medium), bivariate),
         };
         let cast = start.elapsed();
         Ok(Drawn { image, counts, times: [prepared, binned - prepared, cast - binned] })
@@ -124,7 +123,7 @@ impl CpuRenderer {
         let scene = self.scene.as_ref();
         let cells = self.cells.cells.len() as u64;
         let visible = cells - scene.map_or(0, |s| s.empty.count());
-        let Counts { steps, repaired, lost } = drawn.counts;
+        let steps = drawn.counts.steps;
         let work = [
             format!("{cells} cells"),
             format!("{} boundary faces", self.cells.boundary.faces.len()),
@@ -138,7 +137,7 @@ impl CpuRenderer {
         Stats {
             pipelines: Default::default(),
             cells: vec![("in the mesh".into(), cells), ("that the function can show".into(), visible)],
-            rays: Some(RayCounts { steps, repaired, lost }),
+            rays: Some(drawn.counts),
             passes: if timed { passes.map(pass).collect() } else { Vec::new() },
             buffers: sizes.map(|(name, bytes)| BufferSize { name: name.into(), bytes: bytes as u64 }).collect(),
             adapter: format!("CPU ({} threads, ray casting)", rayon::current_num_threads()),
@@ -149,7 +148,7 @@ impl CpuRenderer {
 
 struct Drawn {
     image: Image,
-    counts: Counts,
+    counts: RayCounts,
     times: [Duration; 3],
 }
 
@@ -171,93 +170,77 @@ impl Renderer for CpuRenderer {
     }
 }
 
-/// One picture of one medium.
-struct Job<'a> {
-    mesh: &'a LinkedMesh,
-    view: BoundaryView<'a>,
-    around: Vec<Side>,
-    lens: Lens,
-    empty: &'a EmptyCells,
-    size: [u32; 2],
-    background: Vec4,
-    least: f32,
-}
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+    #[cfg(target_arch = "x86_64")]
+    use pulp::x86::{V3, V4};
 
-impl Job<'_> {
-    fn image<M: Medium>(&self, medium: &M, bivariate: bool) -> (Image, Counts) {
-        if bivariate { self.tiles::<M, true>(medium) } else { self.tiles::<M, false>(medium) }
+    use super::*;
+    use crate::mesh::synth::{Sample, tet_box};
+    use crate::scene::{Camera, Curve, CurveNode, Projection, Widget, WidgetShape};
+    use crate::tet::{BuildOptions, FieldChoice};
+
+    /// All that this processor has.
+    fn instructions() -> Vec<Arch> {
+        let mut all = vec![Arch::Scalar];
+        #[cfg(target_arch = "x86_64")]
+        all.extend(V3::try_new().map(Arch::V3).into_iter().chain(V4::try_new().map(Arch::V4)));
+        #[cfg(not(target_arch = "x86_64"))]
+        all.push(Arch::new());
+        all
     }
 
-    fn tiles<M: Medium, const BIVARIATE: bool>(&self, medium: &M) -> (Image, Counts) {
-        let tiles: Vec<(Vec<[f32; 4]>, Counts)> = (0..self.view.tile_count())
-            .into_par_iter()
-            .with_max_len(1)
-            .map(|tile| self.tile::<M, BIVARIATE>(tile, medium))
-            .collect();
-        let mut image = Image::new(self.size[0], self.size[1]);
-        let mut counts = Counts::default();
-        for (tile, (pixels, tile_counts)) in (0..).zip(&tiles) {
-            let [left, top] = self.view.tile_start(tile);
-            let width = (self.size[0] - left).min(TILE) as usize;
-            for (y, row) in (top as usize..).zip(pixels.chunks(width)) {
-                let at = y * self.size[0] as usize + left as usize;
-                image.pixels[at..at + width].copy_from_slice(row);
+    fn largest_difference(a: &Image, b: &Image) -> f32 {
+        let pairs = a.pixels.iter().flatten().zip(b.pixels.iter().flatten());
+        // Phrased so that NaN is the largest.
+        pairs.map(|(a, b)| (a - b).abs()).fold(0.0, |most, x| if x <= most { most } else { x })
+    }
+
+    /// A jittered box from outside, and a regular one along its axes, where rays meet vertices, edges and faces
+    /// edge-on, with pixels at powers of two.
+    #[test]
+    fn pictures_do_not_depend_on_the_instructions() {
+        let eye = DVec3::new(2.0, 3.0, 4.0);
+        let up = DVec3::Y;
+        let from_outside =
+            Camera { eye, target: DVec3::ZERO, up, projection: Projection::Perspective { fov_y: 0.6 }, near: None };
+        let projection = Projection::Orthographic { height: 4.0 };
+        let along_axis = Camera { eye: DVec3::new(0.0, 0.0, 3.0), projection, ..from_outside };
+        let node = |scalar, extinction| CurveNode { scalar, color: [scalar, 0.5, 1.0 - scalar], extinction };
+        let nodes = vec![node(0.0, 0.1), node(0.3, 0.4), node(0.6, 0.2), node(1.0, 9.0)];
+        let shape = WidgetShape::Gaussian { center: [0.4, 1.0], sigma: [0.2, 2.0], angle: 0.0 };
+        let clipped =
+            Widget { scalar_range: Some([0.5, 0.7]), ..Widget::new(WidgetShape::Uniform, [0.2, 0.9, 0.5], 0.3) };
+        let widgets = vec![Widget::new(shape, [1.0, 0.5, 0.2], 0.5), clipped];
+        // Both widgets' colours mixed evenly: one medium in lanes.
+        let settings = Settings { integral: SegmentIntegral::Analytic, ..Settings::default() };
+        let transfers = [TransferFunction::Curve(Curve { nodes }), TransferFunction::Widgets(widgets)];
+        let meshes = [(Sample::MarschnerLobb.mesh(3_000), "ml", from_outside), (tet_box(8, 0.0, 1), "x", along_axis)];
+        for ((mesh, field, camera), transfer) in meshes.iter().flat_map(|mesh| transfers.iter().map(move |t| (mesh, t)))
+        {
+            let (mesh, _) =
+                TetMesh::new(mesh.clone(), &FieldChoice::parse(field), BuildOptions::default()).expect("a mesh");
+            let mut renderer = CpuRenderer::new(Arc::new(mesh), settings).expect("a renderer");
+            let optics = &Optics::PLAIN;
+            let frame = Frame { camera, transfer, optics, size: [64, 64], background: [0.0; 4] };
+            let drawn: Vec<Drawn> = instructions()
+                .into_iter()
+                .map(|arch| {
+                    renderer.arch = arch;
+                    renderer.draw(&frame).expect("a picture")
+                })
+                .collect();
+            assert!(drawn[0].counts.steps > 10_000, "{:?}", drawn[0].counts);
+            for other in &drawn[1..] {
+                assert_eq!(other.counts, drawn[0].counts);
+                // Products and sums are rounded together or not: 6e-7.
+                let difference = largest_difference(&other.image, &drawn[0].image);
+                assert!(difference < 2e-6, "{difference}");
             }
-            counts = counts.plus(*tile_counts);
+            let mut planted = drawn[0].image.clone();
+            planted.pixels[2080][1] += 3e-6;
+            assert!(largest_difference(&planted, &drawn[0].image) > 2e-6);
         }
-        (image, counts)
-    }
-
-    /// The tile's pixels within the picture, row by row.
-    fn tile<M: Medium, const BIVARIATE: bool>(&self, tile: u32, medium: &M) -> (Vec<[f32; 4]>, Counts) {
-        let [left, top] = self.view.tile_start(tile);
-        let [width, height] = [(self.size[0] - left).min(TILE), (self.size[1] - top).min(TILE)];
-        let entries = self.view.tile_entries(tile, &self.lens, self.size);
-        let mut counts = Counts::default();
-        let mut pixels = Vec::with_capacity((width * height) as usize);
-        for y in 0..height {
-            for x in 0..width {
-                let mut seen = Composite {
-                    medium,
-                    empty: self.empty,
-                    hint: 0,
-                    color: Vec4::ZERO,
-                    transmittance: 1.0,
-                    least: self.least,
-                };
-                let film = self.lens.film([left + x, top + y]);
-                let entries = entries.of(x, y);
-                cast::cast::<_, BIVARIATE>(self.mesh, &self.lens, film, entries, &self.around, &mut seen, &mut counts);
-                let front = seen.color.with_w(1.0 - seen.transmittance);
-                pixels.push((front + seen.transmittance * self.background).to_array());
-            }
-        }
-        (pixels, counts)
-    }
-}
-
-/// Segments over each other, front to back.
-struct Composite<'a, M> {
-    medium: &'a M,
-    empty: &'a EmptyCells,
-    hint: u32,
-    color: Vec4,
-    transmittance: f32,
-    /// Where a ray ends.
-    least: f32,
-}
-
-impl<M: Medium> Sink for Composite<'_, M> {
-    #[inline(always)]
-    fn wants(&self, cell: u32) -> bool {
-        !self.empty.has(cell)
-    }
-
-    #[inline(always)]
-    fn segment(&mut self, front: [f32; 2], back: [f32; 2], length: f32) -> bool {
-        let seen = self.medium.segment(&mut self.hint, front, back, length);
-        self.color += self.transmittance * seen;
-        self.transmittance -= self.transmittance * seen.w;
-        self.transmittance > self.least
     }
 }

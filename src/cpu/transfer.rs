@@ -2,8 +2,9 @@
 
 use glam::Vec4;
 
+use crate::cpu::curve::{CurveMedium, Piece};
 use crate::cpu::preintegrated::PreIntegratedMedium;
-use crate::cpu::segment::{CurveMedium, Medium as _, Piece};
+use crate::cpu::segment::Medium as _;
 use crate::cpu::widgets::{
     AdaptiveWidgets, AnyWidget, AnyWidgets, Axes, Classifier, Line, MOST_WIDGETS, PartialWidgets, PlainWidgets,
     PointMedium, PointRule, any_widgets, plain_widgets,
@@ -118,14 +119,14 @@ pub fn integrate(
     // Mesh units in which the segment is within f32's range, whatever the data's are.
     let data_per_mesh = length.max(f64::MIN_POSITIVE);
     let [front, back] = [front, back].map(|[s, g]| [scalar.apply(s) as f32, gradient.apply(g) as f32]);
-    let (hint, length) = (&mut 0, (length / data_per_mesh) as f32);
+    let length = (length / data_per_mesh) as f32;
     let (seen, pieces) =
         match Compiled::new(transfer, integral, &Axes { scalar, gradient, data_per_mesh, range_hair: 0.0 })? {
-            Compiled::Curve(medium) => (medium.segment(hint, front, back, length), 1),
-            Compiled::Plain(medium) => (medium.segment(hint, front, back, length), 1),
-            Compiled::Any(medium) => (medium.segment(hint, front, back, length), 1),
-            Compiled::Points(medium) => (medium.segment(hint, front, back, length), 1),
-            Compiled::PreIntegrated(medium) => (medium.segment(hint, front, back, length), 1),
+            Compiled::Curve(medium) => (medium.segment(front, back, length), 1),
+            Compiled::Plain(medium) => (medium.segment(front, back, length), 1),
+            Compiled::Any(medium) => (medium.segment(front, back, length), 1),
+            Compiled::Points(medium) => (medium.segment(front, back, length), 1),
+            Compiled::PreIntegrated(medium) => (medium.segment(front, back, length), 1),
             Compiled::Partial(medium) => medium.pieces(&Line { front: front.into(), back: back.into(), length }),
             Compiled::Adaptive(medium) => medium.pieces(&Line { front: front.into(), back: back.into(), length }),
         };

@@ -1,251 +1,318 @@
-//! From cell to cell along one ray.
+//! From cell to cell, along the rays of all lanes at once.
 //!
 //! Why no walk gets lost: seen along the ray, a cell's faces cover the origin either not at all, or once on the way in
 //! and once on the way out. The signs of edges are those of exact arithmetic on the vertices' rounded places, with
 //! ties broken as if by an infinitesimal motion, so that this holds whatever rounding has made of the cells, turned
 //! over ones included. Then cells around the origin are links of chains, each with one before and one behind: a walk
 //! from the boundary ends at the boundary, enters no cell twice, and is joined by no other.
+//!
+//! A lane's arithmetic is that of [`RayAxes::apply`], operation by operation, so that a vertex has one place along a ray.
+//! Edges are evaluated in f32 with a relative error of some ulp, so that their signs are those of exact arithmetic, but for
+//! zeros: ties are rare, and broken lane by lane.
 
-use glam::{DVec2, Vec4};
+use glam::Vec4;
+use prefetch_index::prefetch_index;
+use pulp::Simd;
 
 use crate::cpu::axes::RayAxes;
-use crate::tet::{LinkedMesh, Side};
+use crate::cpu::corner::Corner;
+use crate::cpu::face::{EXITS, Face, ORDERS, number_of, turns_left};
+use crate::cpu::lanes::{Floats, MOST_LANES, Mask, Words, record_order};
+use crate::cpu::segment::Segments;
+use crate::cpu::sink::Sink;
+use crate::tet::{Crossing, LinkedMesh};
 
-/// What happened to rays.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Counts {
-    /// Cells entered.
-    pub steps: u64,
-    /// Steps whose exit lies before their entry.
-    pub repaired: u64,
-    /// Walks that were given up, since they entered more cells than there are: what lies behind is missing.
-    pub lost: u64,
+/// The mesh, as rays walk through it.
+#[derive(Clone, Copy)]
+pub struct Ground<'a> {
+    pub crossings: &'a [Crossing],
+    pub vertices: &'a [Vec4],
+    pub gradients: &'a [f32],
 }
 
-impl Counts {
-    #[must_use]
-    pub fn plus(self, other: Self) -> Self {
-        Self { steps: self.steps + other.steps, repaired: self.repaired + other.repaired, lost: self.lost + other.lost }
+impl<'a> Ground<'a> {
+    pub fn of(mesh: &'a LinkedMesh) -> Self {
+        Self { crossings: mesh.crossings(), vertices: &mesh.vertices, gradients: &mesh.gradients }
     }
 }
 
-/// What is done with the segments of a ray.
-pub trait Sink {
-    /// Whether fields are wanted for a cell.
-    fn wants(&self, cell: u32) -> bool;
-
-    /// The segment of a cell, (scalar, gradient magnitude) at its ends, and its length in mesh units (above 0). Returns
-    /// whether the rest of the ray is wanted.
-    fn segment(&mut self, front: [f32; 2], back: [f32; 2], length: f32) -> bool;
-}
-
-/// A ray on a face through which it enters a cell.
-#[derive(Clone, Copy, Debug)]
-pub struct Walk {
-    cell: u32,
-    /// The cell's corner that is not on the face.
-    new: u32,
-    triangle: Triangle,
+/// One walk a lane, each on a face through which it enters a cell.
+#[derive(Clone, Copy)]
+pub struct Walks<S: Simd> {
+    simd: S,
+    /// Lanes that have a walk.
+    pub live: Mask<S>,
+    /// Rows of the axes, and offsets.
+    axes: [[Floats<S>; 4]; 3],
+    corners: [Corner<S>; 3],
+    /// Of the triangles of the origin and the edge opposite each corner, twice the area.
+    edges: [Floats<S>; 3],
+    /// The vertex that is not on the face.
+    new: Words<S>,
+    /// See [`Face`].
+    links: Words<S>,
+    /// Twelve times [`Face::order`].
+    orders: Words<S>,
     /// Distance along the ray up to which all is done.
-    reached: f32,
+    reached: Floats<S>,
     /// Distance of the last face that was not seen edge-on, and the fields there.
-    depth: f32,
-    at: [f32; 2],
+    depth: Floats<S>,
+    at: [Floats<S>; 2],
+    /// Cells entered.
+    steps: Words<S>,
+    /// Of them, those whose exit lies before their entry.
+    repaired: Words<S>,
 }
 
-/// A face seen along the ray, counter-clockwise around the origin.
+/// A walk that has ended.
 #[derive(Clone, Copy, Debug)]
-struct Triangle {
-    corners: [Corner; 3],
-    /// Which of the face's corners each is, in ascending order.
-    ranks: [u32; 3],
-    gradients: [f32; 3],
-    /// Twice the area of the triangle of the origin and the edge opposite each corner. Exact but for one rounding: the
-    /// products of f32 numbers are f64 numbers.
-    edges: [f64; 3],
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Corner {
-    /// Across the ray.
-    place: DVec2,
-    /// In its last two components the distance along the ray, and the scalar.
-    values: Vec4,
-}
-
-impl Corner {
-    #[inline(always)]
-    fn new(mesh: &LinkedMesh, axes: &RayAxes, vertex: u32) -> Self {
-        let values = axes.apply(mesh.vertices[vertex as usize]);
-        Self { place: DVec2::new(f64::from(values.x), f64::from(values.y)), values }
-    }
-
-    /// `self x other`: exactly the negative of `other x self`, and of the sign that exact arithmetic gives.
-    #[inline(always)]
-    fn cross(&self, other: &Self) -> f64 {
-        self.place.x * other.place.y - self.place.y * other.place.x
-    }
-
-    /// Whether `self x other`, which is `value`, counts as positive. `before`: this one's vertex is the one of smaller id.
-    fn turns_left_to(&self, value: f64, other: &Self, before: bool) -> bool {
-        value > 0.0 || (value == 0.0 && self.tie(other, before))
-    }
-
-    /// Where the edge meets the ray: as if the ray were moved along the first axis by an infinitesimal, and along the second
-    /// by one of that; of corners at one place, as if that of the larger id lay to the left by less still. Exactly one
-    /// of (a, b) and (b, a) turns left.
-    #[cold]
-    fn tie(&self, other: &Self, before: bool) -> bool {
-        let (a, b) = (self.place, other.place);
-        a.y > b.y || (a.y == b.y && (b.x > a.x || (a.x == b.x && before)))
-    }
-}
-
-impl Triangle {
-    /// Depth and fields where the ray is on the face; none where that is seen edge-on.
-    #[inline(always)]
-    fn at<const BIVARIATE: bool>(&self) -> Option<(f32, [f32; 2])> {
-        let [u, v, w] = self.edges;
-        let sum = u + v + w;
-        if sum <= 1e-200 {
-            return None;
-        }
-        let scale = 1.0 / sum;
-        let [u, v, w] = [u * scale, v * scale, w * scale].map(|x| x as f32);
-        let [a, b, c] = &self.corners;
-        let mean = a.values * u + b.values * v + c.values * w;
-        let gradient = match BIVARIATE {
-            true => self.gradients[0] * u + self.gradients[1] * v + self.gradients[2] * w,
-            false => 0.0,
-        };
-        Some((mean.z, [mean.w, gradient]))
-    }
-}
-
-/// The corner that the fourth vertex replaces, by which of its edges (to corner 0, 1, 2 in bits 0, 1, 2) turn left. All or
-/// none never do.
-const REPLACED: [usize; 8] = [2, 2, 0, 0, 1, 2, 1, 2];
-/// The corners after each, counter-clockwise.
-const OTHERS: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
-
-/// Which edges from `new`, the corner of that number, to those of `numbers` turn left, where some meet the ray.
-#[cold]
-fn ties(new: &Corner, number: u32, to: [f64; 3], corners: &[Corner; 3], numbers: [u32; 3]) -> [usize; 3] {
-    [0, 1, 2].map(|i| usize::from(new.turns_left_to(to[i], &corners[i], number < numbers[i])))
-}
-
-/// The number of a cell's corner, of all but `without`, from its rank among them; and back.
-#[inline(always)]
-fn number_of(rank: u32, without: u32) -> u32 {
-    rank + u32::from(rank >= without)
-}
-
-#[inline(always)]
-fn rank_of(number: u32, without: u32) -> u32 {
-    number - u32::from(number > without)
-}
-
-impl Walk {
-    /// On a cell's side, ready to enter. What lies before `start` is not seen.
-    pub fn enter<const BIVARIATE: bool>(mesh: &LinkedMesh, axes: &RayAxes, side: Side, start: f32) -> Self {
-        let (vertices, new) = (mesh.cells[side.cell as usize].vertices, side.opposite);
-        let ranks = side.ranks();
-        let ids = ranks.map(|rank| vertices[number_of(rank, new) as usize]);
-        let corners = ids.map(|id| Corner::new(mesh, axes, id));
-        let gradients = if BIVARIATE { ids.map(|id| mesh.gradients[id as usize]) } else { [0.0; 3] };
-        let [a, b, c] = &corners;
-        let triangle = Triangle { edges: [b.cross(c), c.cross(a), a.cross(b)], corners, ranks, gradients };
-        let first = (a.values.z, [a.values.w, gradients[0]]);
-        let (depth, at) = triangle.at::<BIVARIATE>().unwrap_or(first);
-        Self { cell: side.cell, new, triangle, reached: depth.max(start), depth, at }
-    }
-
-    /// Whether the ray passes inside the face, in the direction into the cell, by the signs that edges have in the walk.
-    pub fn is_inside(&self) -> bool {
-        let Triangle { corners, edges, ranks, .. } = &self.triangle;
-        [(1, 2), (2, 0), (0, 1)]
-            .into_iter()
-            .zip(edges)
-            .all(|((a, b), &value)| corners[a].turns_left_to(value, &corners[b], ranks[a] < ranks[b]))
-    }
-
+pub struct Ended {
     /// Distance along the ray up to which all is done.
-    pub fn reached(&self) -> f32 {
-        self.reached
+    pub reached: f32,
+    /// Cells entered.
+    pub steps: u32,
+    /// Of them, those whose exit lies before their entry.
+    pub repaired: u32,
+    /// It entered as many cells as there are, and was given up.
+    pub is_lost: bool,
+}
+
+impl<S: Simd> Walks<S> {
+    /// None yet.
+    #[inline(always)]
+    pub fn none(simd: S) -> Self {
+        let (zero, word) = (Floats::splat(simd, 0.0), Words::splat(simd, 0));
+        let corner = Corner { x: zero, y: zero, z: zero, scalar: zero, gradient: zero };
+        Self {
+            simd,
+            live: Mask::none(simd),
+            axes: [[zero; 4]; 3],
+            corners: [corner; 3],
+            edges: [zero; 3],
+            new: word,
+            links: word,
+            orders: word,
+            reached: zero,
+            depth: zero,
+            at: [zero; 2],
+            steps: word,
+            repaired: word,
+        }
     }
 
-    /// Where the ray is on the face.
-    pub fn depth(&self) -> f32 {
-        self.depth
+    /// A lane's ray.
+    #[inline(always)]
+    pub fn set_axes(&mut self, lane: usize, axes: &RayAxes) {
+        for (row, values) in self.axes.iter_mut().zip(axes.rows()) {
+            for (lanes, value) in row.iter_mut().zip(values) {
+                lanes.values_mut()[lane] = value;
+            }
+        }
     }
 
-    /// Walks on until the boundary is reached, true, or the sink has enough, false. The walk must be inside its face.
-    #[inline]
-    pub fn run<S: Sink, const BIVARIATE: bool>(
-        &mut self,
-        mesh: &LinkedMesh,
-        axes: &RayAxes,
-        sink: &mut S,
-        counts: &mut Counts,
-    ) -> bool {
-        let Self { mut cell, mut new, mut triangle, mut reached, mut depth, mut at } = *self;
-        // A walk enters no cell twice: this bound guards against a mesh that is none.
-        let (mut steps, most) = (0, mesh.cells.len());
-        let passed = loop {
-            if steps == most {
-                counts.lost += 1;
-                break true;
+    /// A walk through a face, inside which the lane's ray passes. What lies before `start` is not seen.
+    #[inline(always)]
+    pub fn enter(&mut self, lane: usize, face: &Face, start: f32) {
+        for (i, corner) in self.corners.iter_mut().enumerate() {
+            let [x, y, z, scalar] = face.corners[i].to_array();
+            corner.x.values_mut()[lane] = x;
+            corner.y.values_mut()[lane] = y;
+            corner.z.values_mut()[lane] = z;
+            corner.scalar.values_mut()[lane] = scalar;
+            corner.gradient.values_mut()[lane] = face.gradients[i];
+            self.edges[i].values_mut()[lane] = face.edges[i];
+        }
+        self.new.values_mut()[lane] = face.new;
+        self.links.values_mut()[lane] = face.link;
+        self.orders.values_mut()[lane] = 12 * face.order;
+        self.reached.values_mut()[lane] = face.depth.max(start);
+        self.depth.values_mut()[lane] = face.depth;
+        self.at[0].values_mut()[lane] = face.at[0];
+        self.at[1].values_mut()[lane] = face.at[1];
+        self.steps.values_mut()[lane] = 0;
+        self.repaired.values_mut()[lane] = 0;
+        self.live = self.live | Mask::from_bits(self.simd, 1 << lane);
+    }
+
+    /// What a lane's walk has done.
+    #[inline(always)]
+    pub fn ended(&self, ground: &Ground<'_>, lane: usize) -> Ended {
+        let steps = self.steps.values()[lane];
+        let is_lost = steps as usize >= ground.crossings.len() && self.links.values()[lane] != LinkedMesh::NO_LINK;
+        let repaired = self.repaired.values()[lane];
+        Ended { reached: self.reached.values()[lane], steps, repaired, is_lost }
+    }
+
+    /// Walks on until some reach the boundary, or the sink has enough of them: these end.
+    #[inline(always)]
+    pub fn run<K: Sink<S>, const BIVARIATE: bool>(&mut self, ground: &Ground<'_>, sink: &mut K) -> Mask<S> {
+        // Copies, whose addresses nobody has, can be in registers.
+        let (mut walks, mut to) = (*self, *sink);
+        let ended = loop {
+            let ended = walks.step::<K, BIVARIATE>(ground, &mut to);
+            if ended.any() {
+                break ended;
             }
-            steps += 1;
-            let here = &mesh.cells[cell as usize];
-            let vertex = here.vertices[new as usize];
-            let corner = Corner::new(mesh, axes, vertex);
-            let corners = &triangle.corners;
-            let to = [corner.cross(&corners[0]), corner.cross(&corners[1]), corner.cross(&corners[2])];
-            let numbers = triangle.ranks.map(|rank| number_of(rank, new));
-            // No branches here: which way a ray goes cannot be predicted.
-            let mut turns = to.map(|value| usize::from(value > 0.0));
-            if (to[0] == 0.0) | (to[1] == 0.0) | (to[2] == 0.0) {
-                turns = ties(&corner, new, to, corners, numbers);
-            }
-            let replaced = REPLACED[turns[0] | turns[1] << 1 | turns[2] << 2];
-            let [second, third] = OTHERS[replaced];
-            let left = numbers[replaced];
-            triangle.ranks = numbers.map(|number| rank_of(number, left));
-            triangle.ranks[replaced] = rank_of(new, left);
-            let wanted = sink.wants(cell);
-            if BIVARIATE {
-                triangle.gradients[replaced] = mesh.gradients[vertex as usize];
-            }
-            triangle.corners[replaced] = corner;
-            triangle.edges[second] = -to[third];
-            triangle.edges[third] = to[second];
-            let link = here.links[left as usize];
-            if let Some((new_depth, new_at)) = triangle.at::<BIVARIATE>() {
-                if new_depth > reached {
-                    if wanted {
-                        let mut front = at;
-                        if depth < reached {
-                            // Some of the segment is done, or not seen.
-                            let x = (reached - depth) / (new_depth - depth);
-                            front = [0, 1].map(|i| at[i] + x * (new_at[i] - at[i]));
-                        }
-                        if !sink.segment(front, new_at, new_depth - reached) {
-                            break false;
-                        }
-                    }
-                    reached = new_depth;
-                }
-                counts.repaired += u64::from(new_depth < depth);
-                (depth, at) = (new_depth, new_at);
-            }
-            if link == LinkedMesh::NO_LINK {
-                break true;
-            }
-            (cell, new) = (link >> 2, link & 3);
         };
-        counts.steps += steps as u64;
-        *self = Self { cell, new, triangle, reached, depth, at };
-        passed
+        walks.live = walks.live & !ended;
+        (*self, *sink) = (walks, to);
+        ended
+    }
+
+    /// Through one cell. The lanes whose walks end.
+    #[inline(always)]
+    fn step<K: Sink<S>, const BIVARIATE: bool>(&mut self, ground: &Ground<'_>, sink: &mut K) -> Mask<S> {
+        // Lanes without a walk follow any cells.
+        self.links = self.live.words(self.links, self.word(0));
+        let entered = self.links;
+        let corner = self.new_corner::<BIVARIATE>(ground);
+        let (replaced, beside) = self.turn(&corner);
+        self.exchange::<BIVARIATE>(corner, replaced, beside);
+        let number = replaced[0].words(self.word(0), replaced[1].words(self.word(1), self.word(2)));
+        self.follow::<BIVARIATE>(ground, number);
+        self.steps = self.steps + self.word(1);
+        let most = self.word(ground.crossings.len() as u32);
+        let done = self.links.equals(self.word(LinkedMesh::NO_LINK)) | self.steps.equals(most);
+        let wanted = self.segments::<K, BIVARIATE>(sink, entered);
+        self.live & (done | !wanted)
+    }
+
+    #[inline(always)]
+    fn word(&self, value: u32) -> Words<S> {
+        Words::splat(self.simd, value)
+    }
+
+    /// The corner that is not on the face, as seen along the ray.
+    #[inline(always)]
+    fn new_corner<const BIVARIATE: bool>(&self, ground: &Ground<'_>) -> Corner<S> {
+        let record = record_order(self.simd);
+        let mut vertices = [[0.0; 4]; MOST_LANES];
+        let mut gradient = self.reached;
+        for lane in 0..S::F32_LANES {
+            let vertex = self.new.values()[lane] as usize;
+            vertices[record[lane]] = ground.vertices[vertex].to_array();
+            if BIVARIATE {
+                gradient.values_mut()[lane] = ground.gradients[vertex];
+            }
+        }
+        let [a, b, c, scalar] = Floats::records(self.simd, &vertices);
+        let place = |[x, y, z, offset]: [Floats<S>; 4]| (x * a + y * b) + (z * c + offset);
+        let [x, y, z] = self.axes;
+        Corner { x: place(x), y: place(y), z: place(z), scalar, gradient }
+    }
+
+    /// Which corner the new one replaces in the face of exit; and twice the area of the triangles of the origin, the new
+    /// corner, and each old one.
+    #[inline(always)]
+    fn turn(&self, corner: &Corner<S>) -> ([Mask<S>; 3], [Floats<S>; 3]) {
+        let (a, doubt_a) = corner.cross(&self.corners[0]);
+        let (b, doubt_b) = corner.cross(&self.corners[1]);
+        let (c, doubt_c) = corner.cross(&self.corners[2]);
+        let zero = a.all(0.0);
+        let mut left = [a.above(zero), b.above(zero), c.above(zero)];
+        if (self.live & (doubt_a | doubt_b | doubt_c)).any() {
+            left = self.turns(corner);
+        }
+        // Exactly one of the three triangles that the new corner cuts the face into holds the ray.
+        let (first, second) = (left[1] & !left[2], left[2] & !left[0]);
+        ([first, second, !(first | second)], [a.abs(), b.abs(), c.abs()])
+    }
+
+    /// Which edges, from the new corner to each old one, turn left: exactly.
+    #[cold]
+    #[inline(never)]
+    fn turns(&self, corner: &Corner<S>) -> [Mask<S>; 3] {
+        let mut left = [0; 3];
+        for lane in 0..S::F32_LANES {
+            let place = |corner: &Corner<S>| [corner.x.values()[lane], corner.y.values()[lane]];
+            let new = self.links.values()[lane] & 3;
+            let ranks = ORDERS[self.orders.values()[lane] as usize / 12];
+            for i in 0..3 {
+                let before = new < number_of(ranks[i], new);
+                left[i] |= u32::from(turns_left(place(corner), place(&self.corners[i]), before)) << lane;
+            }
+        }
+        left.map(|bits| Mask::from_bits(self.simd, bits))
+    }
+
+    /// Puts the new corner in place of one.
+    #[inline(always)]
+    fn exchange<const BIVARIATE: bool>(&mut self, corner: Corner<S>, replaced: [Mask<S>; 3], beside: [Floats<S>; 3]) {
+        for (old, which) in self.corners.iter_mut().zip(replaced) {
+            old.x = which.floats(corner.x, old.x);
+            old.y = which.floats(corner.y, old.y);
+            old.z = which.floats(corner.z, old.z);
+            old.scalar = which.floats(corner.scalar, old.scalar);
+            if BIVARIATE {
+                old.gradient = which.floats(corner.gradient, old.gradient);
+            }
+        }
+        let ([first, second, third], [a, b, c]) = (replaced, beside);
+        self.edges[0] = first.floats(self.edges[0], second.floats(c, b));
+        self.edges[1] = second.floats(self.edges[1], third.floats(a, c));
+        self.edges[2] = third.floats(self.edges[2], first.floats(b, a));
+    }
+
+    /// Goes across the faces of exit, and asks the memory for what the next step will need.
+    #[inline(always)]
+    fn follow<const BIVARIATE: bool>(&mut self, ground: &Ground<'_>, replaced: Words<S>) {
+        let new = self.links & self.word(3);
+        let cells = self.links.shifted_right(2);
+        let turns = self.orders + (new + new + new) + replaced;
+        let mut exits = turns;
+        for lane in 0..S::F32_LANES {
+            let exit = EXITS[(turns.values()[lane] & 127) as usize];
+            let (cell, left) = (&ground.crossings[cells.values()[lane] as usize], usize::from(exit & 3));
+            let (link, vertex) = (cell.links[left], cell.vertices[left]);
+            prefetch_index(ground.crossings, (link >> 2) as usize);
+            prefetch_index(ground.vertices, vertex as usize);
+            if BIVARIATE {
+                prefetch_index(ground.gradients, vertex as usize);
+            }
+            exits.values_mut()[lane] = u32::from(exit);
+            self.links.values_mut()[lane] = link;
+            self.new.values_mut()[lane] = vertex;
+        }
+        self.orders = exits.shifted_right(2);
+    }
+
+    /// What lies between the faces of entry and exit. The lanes whose rest of the ray is wanted.
+    #[inline(always)]
+    fn segments<K: Sink<S>, const BIVARIATE: bool>(&mut self, sink: &mut K, entered: Words<S>) -> Mask<S> {
+        let Self { edges: [u, v, w], corners: [a, b, c], reached, depth, at, .. } = *self;
+        let sum = u + v + w;
+        // Not seen edge-on. Phrased so that NaN is not.
+        let met = sum.above(sum.all(1e-36));
+        let scale = sum.all(1.0).over(sum);
+        let (u, v, w) = (u * scale, v * scale, w * scale);
+        let mean = |a: Floats<S>, b: Floats<S>, c: Floats<S>| a.mul_add(u, b.mul_add(v, c * w));
+        let new_depth = met.floats(mean(a.z, b.z, c.z), depth);
+        let scalar = met.floats(mean(a.scalar, b.scalar, c.scalar), at[0]);
+        let gradient = if BIVARIATE { met.floats(mean(a.gradient, b.gradient, c.gradient), at[1]) } else { at[1] };
+        let ahead = self.live & new_depth.above(reached);
+        let mut front = at;
+        let partly = ahead & reached.above(depth);
+        if partly.any() {
+            // Some of the segment is done, or not seen.
+            let part = partly.floats((reached - depth).over(new_depth - depth), sum.all(0.0));
+            front = [(scalar - at[0]).mul_add(part, at[0]), (gradient - at[1]).mul_add(part, at[1])];
+        }
+        let back = self.live & depth.above(new_depth);
+        self.repaired = self.repaired + back.words(self.word(1), self.word(0));
+        self.reached = ahead.floats(new_depth, reached);
+        (self.depth, self.at) = (new_depth, [scalar, gradient]);
+        let which = if sink.is_choosy() { ahead & self.wanted(sink, entered) } else { ahead };
+        let length = which.floats(new_depth - reached, sum.all(0.0));
+        sink.segments(&Segments { which, front, back: self.at, length })
+    }
+
+    /// The lanes whose cells the sink wants.
+    #[inline(always)]
+    fn wanted<K: Sink<S>>(&self, sink: &K, entered: Words<S>) -> Mask<S> {
+        let mut wanted = entered;
+        for (lane, &link) in entered.values().iter().enumerate() {
+            wanted.values_mut()[lane] = u32::from(sink.wants(link >> 2));
+        }
+        wanted.equals(self.word(1))
     }
 }

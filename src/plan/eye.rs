@@ -17,6 +17,12 @@ pub fn sides_around(mesh: &LinkedMesh, lens: &Lens) -> Vec<Side> {
     }
     let eye = lens.eye;
     let hair = f64::from(HAIR);
+    // Cells do not reach beyond the boundary.
+    let points = mesh.boundary.points.iter();
+    let (low, high) = points.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
+    if (low - hair).cmpgt(eye).any() || eye.cmpgt(high + hair).any() {
+        return Vec::new();
+    }
     let holds = |cell: &u32| {
         let corners = mesh.cells[*cell as usize].vertices.map(|v| mesh.vertices[v as usize].xyz().as_dvec3() - eye);
         let low = corners.into_iter().fold(DVec3::INFINITY, DVec3::min);

@@ -1,9 +1,12 @@
 //! The mesh as rays walk through it: cells and vertices in the order of a space-filling curve, 32 and 16 bytes each.
 
+use std::sync::OnceLock;
+
 use glam::{DVec3, Vec4};
 use rayon::prelude::*;
 
 use super::boundary::{Boundary, Side};
+use super::crossing::Crossing;
 use super::{Adjacency, Axis, NO_TET, TetId, TetMesh};
 
 /// One tetrahedron: half a cache line.
@@ -38,6 +41,8 @@ pub struct LinkedMesh {
     pub original: Vec<u32>,
     /// One bit a cell, 32 a word, lowest first: the ascending vertices are an odd permutation of oriented ones.
     odd: Vec<u32>,
+    /// Made when first asked for: not every engine does.
+    crossings: OnceLock<Vec<Crossing>>,
 }
 
 impl LinkedMesh {
@@ -80,8 +85,8 @@ impl LinkedMesh {
             })
             .collect();
         let (scalar, gradient) = (Axis::of(mesh.scalar_range()), Axis::of(mesh.gradient_range()));
-        let (vertices, gradients, boundary) = Default::default();
-        let mut linked = Self { cells, vertices, gradients, boundary, scalar, gradient, original, odd };
+        let (vertices, gradients, boundary, crossings) = Default::default();
+        let mut linked = Self { cells, vertices, gradients, boundary, scalar, gradient, original, odd, crossings };
         linked.take_places(mesh);
         linked.boundary = Boundary::new(&linked.cells, |cell| linked.is_odd(cell), &linked.vertices);
         linked
@@ -106,13 +111,19 @@ impl LinkedMesh {
         self.boundary.place(&self.vertices);
     }
 
+    /// What lies across the faces of each cell.
+    pub fn crossings(&self) -> &[Crossing] {
+        self.crossings.get_or_init(|| Crossing::of(&self.cells))
+    }
+
     /// Name and size of each array.
-    pub fn sizes(&self) -> [(&'static str, usize); 4] {
+    pub fn sizes(&self) -> [(&'static str, usize); 5] {
         [
             ("cells", size_of_val(&self.cells[..]) + size_of_val(&self.odd[..])),
             ("vertices", size_of_val(&self.vertices[..]) + size_of_val(&self.original[..])),
             ("gradients", size_of_val(&self.gradients[..])),
             ("boundary", self.boundary.bytes()),
+            ("crossings", self.crossings.get().map_or(0, |crossings| size_of_val(&crossings[..]))),
         ]
     }
 }

@@ -30,7 +30,7 @@ pub struct AdaptiveWidgets {
 
 impl Medium for AdaptiveWidgets {
     #[inline]
-    fn segment(&self, _: &mut u32, front: [f32; 2], back: [f32; 2], length: f32) -> Seen {
+    fn segment(&self, front: [f32; 2], back: [f32; 2], length: f32) -> Seen {
         self.pieces(&Line { front: front.into(), back: back.into(), length }).0
     }
 }

@@ -107,7 +107,7 @@ pub struct AnyWidgets {
 
 impl Medium for AnyWidgets {
     #[inline]
-    fn segment(&self, _: &mut u32, front: [f32; 2], back: [f32; 2], length: f32) -> Seen {
+    fn segment(&self, front: [f32; 2], back: [f32; 2], length: f32) -> Seen {
         let line = Line { front: front.into(), back: back.into(), length };
         let (mut depth, mut emission) = (0.0, Vec4::ZERO);
         for widget in &self.widgets {

@@ -1,7 +1,9 @@
 //! Gaussian profiles and their means over a line.
 
 use glam::Vec2;
+use pulp::Simd;
 
+use crate::cpu::lanes::Floats;
 use crate::cpu::widgets::line::extremes;
 use crate::cpu::widgets::optics::{attenuation, erfcx};
 
@@ -20,6 +22,13 @@ impl Gaussian {
     pub fn whitened(&self, p: Vec2) -> Vec2 {
         let from_center = p - self.center;
         Vec2::new(self.whiten[0].dot(from_center), self.whiten[1].dot(from_center))
+    }
+
+    /// The same of all lanes.
+    #[inline(always)]
+    pub fn whitened_lanes<S: Simd>(&self, p: [Floats<S>; 2]) -> [Floats<S>; 2] {
+        let from_center = [p[0] - p[0].all(self.center.x), p[1] - p[1].all(self.center.y)];
+        self.whiten.map(|row| from_center[0].mul_add(p[0].all(row.x), from_center[1] * p[1].all(row.y)))
     }
 
     /// Its value.

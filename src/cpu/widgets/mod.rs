@@ -11,6 +11,7 @@ mod any;
 mod compile;
 mod gaussian;
 mod knots;
+mod lane_optics;
 mod line;
 mod optics;
 mod partial;

@@ -2,7 +2,8 @@
 
 use glam::{Vec2, Vec4};
 
-use crate::cpu::segment::{CurveMedium, Medium, Seen};
+use crate::cpu::curve::CurveMedium;
+use crate::cpu::segment::{Medium, Seen};
 use crate::cpu::widgets::any::AnyWidget;
 use crate::cpu::widgets::line::Line;
 use crate::cpu::widgets::optics::{attenuation, emission_weights, phi_one};
@@ -76,7 +77,7 @@ pub fn color_of(point: Vec4, other: Vec4) -> Vec4 {
 }
 
 impl Medium for PointMedium {
-    fn segment(&self, _: &mut u32, front: [f32; 2], back: [f32; 2], length: f32) -> Seen {
+    fn segment(&self, front: [f32; 2], back: [f32; 2], length: f32) -> Seen {
         let line = Line { front: front.into(), back: back.into(), length };
         // Over a length, finite.
         let at = |x: f32, length: f32| (self.classifier.at(line.at(x)) * length).min(Vec4::splat(1e25));
