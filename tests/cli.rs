@@ -269,3 +269,31 @@ fn a_closed_pipe_is_no_failure() {
     let stderr = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success() && !stderr.contains("panicked") && !stderr.contains("error"), "{stderr}");
 }
+
+/// Ctrl-C ends it with the shell's code; what it was writing is there whole or not at all, and nothing else.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_nothing_in_parts() {
+    let render = ["render", FIRE, "--scene", SCENE, "--device", "oracle", "--size", "400x300", "-o", "picture.exr"];
+    let sample = ["sample", "tangle", "--tets", "300000", "-o", "mesh.vtu"];
+    let mut interrupted = 0;
+    for (arguments, file) in [(&render[..], "picture.exr"), (&sample[..], "mesh.vtu")] {
+        // Some while it works, some while it writes.
+        for milliseconds in [100, 250, 400, 600, 900] {
+            let folder = tempfile::tempdir().unwrap();
+            let mut command = Command::new(env!("CARGO_BIN_EXE_tetralux"));
+            let command = command.current_dir(folder.path()).args(arguments).stderr(Stdio::null());
+            let mut child = command.spawn().unwrap();
+            std::thread::sleep(std::time::Duration::from_millis(milliseconds));
+            Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+            let code = child.wait().unwrap().code();
+            assert!(matches!(code, Some(0 | 130)), "{arguments:?} after {milliseconds} ms: {code:?}");
+            interrupted += u32::from(code == Some(130));
+            let left = names(folder.path());
+            let whole = folder.path().join(file);
+            assert!(left.is_empty() || left == [whole.clone()], "{arguments:?} after {milliseconds} ms: {left:?}");
+            assert!(code == Some(130) || left == [whole], "{arguments:?} after {milliseconds} ms: {left:?}");
+        }
+    }
+    assert!(interrupted > 2, "{interrupted} of 10 runs were interrupted");
+}

@@ -15,6 +15,8 @@ use tetralux::renderer::{Frame, Method, Renderer, Settings};
 use tetralux::scene::{Camera, EmissionModel, Optics, Projection, TransferFunction, Widget, WidgetShape};
 use tetralux::tet::TetMesh;
 
+const COMPILES: bool = false;
+
 fn engine(mesh: &Arc<TetMesh>, settings: Settings) -> Box<dyn Renderer> {
     Box::new(CpuRenderer::new(mesh.clone(), settings).unwrap_or_else(|e| panic!("{e}")))
 }

@@ -17,6 +17,10 @@ mod illustrative_silhouettes;
 #[expect(dead_code, reason = "its main is another program's")]
 mod one_against_two;
 
+#[path = "../examples/time_steps.rs"]
+#[expect(dead_code, reason = "its main is another program's")]
+mod time_steps;
+
 const FIRE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/data/fire_ug.vtu");
 
 fn arguments(more: &[&str], output: &Path) -> Vec<String> {
@@ -45,6 +49,16 @@ fn every_program_has_a_mesh_to_fall_back_on() {
     runs(feature_enhancement::run, &[], 24, "'sphere-flow' stands in");
     runs(illustrative_silhouettes::run, &[], 24, "'tangle' stands in");
     runs(one_against_two::run, &[], 3 * 24 + 16, "'hydrogen' stands in");
+}
+
+#[test]
+fn time_steps_replace_each_other() {
+    let told = time_steps::run(["3000".to_owned()]).expect("pictures that differ");
+    assert_eq!(told.len(), 6, "{told:?}");
+    for (arguments, part) in [(["--device", "abacus"], "abacus"), (["3", "many"], "'many'")] {
+        let error = time_steps::run(arguments.map(str::to_owned)).expect_err(part).to_string();
+        assert!(error.contains(part), "{error}");
+    }
 }
 
 #[test]

@@ -2,8 +2,30 @@
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use crate::error::{Error, Result};
+
+/// Held while files are written.
+static WRITING: Mutex<()> = Mutex::new(());
+
+/// What a shell expects of a program that Ctrl-C ended.
+const INTERRUPTED: i32 = 130;
+
+/// From now on Ctrl-C waits for files that are being written: none is left in parts, nor under a temporary name.
+pub(super) fn end_whole() {
+    // Without a handler the system's default remains.
+    let _ = ctrlc::set_handler(|| {
+        let _written = WRITING.lock().unwrap_or_else(PoisonError::into_inner);
+        std::process::exit(INTERRUPTED);
+    });
+}
+
+/// Writes files by `write`, whatever is pressed meanwhile.
+pub(super) fn whole<T>(write: impl FnOnce() -> T) -> T {
+    let _writing = WRITING.lock().unwrap_or_else(PoisonError::into_inner);
+    write()
+}
 
 /// Refuses a picture that could not be written: an unknown extension, a folder that is not there or cannot be written.
 pub(super) fn check_picture(path: &Path) -> Result<()> {
@@ -35,7 +57,7 @@ fn folder_of(path: &Path) -> &Path {
 
 /// Writes a text file whole or not at all.
 pub(super) fn write_whole(path: &Path, text: &str) -> Result<()> {
-    stage(path, text.as_bytes())?.persist(path).map_err(|e| Error::write(path, e.error))?;
+    whole(|| stage(path, text.as_bytes())?.persist(path).map_err(|e| Error::write(path, e.error)))?;
     Ok(())
 }
 
@@ -44,11 +66,13 @@ pub(super) fn write_together(files: &[(PathBuf, Vec<u8>)]) -> Result<()> {
     if let Some((path, _)) = files.iter().find(|(path, _)| path.is_dir()) {
         return Err(Error::write(path, "a folder has this name"));
     }
-    let staged = files.iter().map(|(path, bytes)| stage(path, bytes)).collect::<Result<Vec<_>>>()?;
-    for (file, (path, _)) in staged.into_iter().zip(files) {
-        file.persist(path).map_err(|e| Error::write(path, e.error))?;
-    }
-    Ok(())
+    whole(|| {
+        let staged = files.iter().map(|(path, bytes)| stage(path, bytes)).collect::<Result<Vec<_>>>()?;
+        for (file, (path, _)) in staged.into_iter().zip(files) {
+            file.persist(path).map_err(|e| Error::write(path, e.error))?;
+        }
+        Ok(())
+    })
 }
 
 /// The contents under a temporary name beside the file, removed if it goes no further.

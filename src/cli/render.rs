@@ -34,7 +34,7 @@ pub(super) fn run(args: &RenderArgs) -> anyhow::Result<()> {
     rendered.stats.notes.splice(0..0, note);
     let frames = if timed || args.repeat > 1 { time_frames(&mut *renderer, &frame, args.repeat)? } else { Vec::new() };
     let image = if args.legend { legend::beside(&rendered.image, &mesh, &transfer)? } else { rendered.image };
-    progress::step("writing", || image.write(&args.output, job.encoding))?;
+    progress::step("writing", || output::whole(|| image.write(&args.output, job.encoding)))?;
     for text in &rendered.stats.notes {
         output::note(&format!("note: {text}"));
     }

@@ -69,6 +69,18 @@ impl CpuRenderer {
         Ok(Self { mesh, cells, settings, arch: Arch::new(), scene: None })
     }
 
+    /// Another field, time step or place of the vertices, on the same tetrahedra: links nothing anew.
+    ///
+    /// # Errors
+    /// A mesh of other tetrahedra.
+    pub fn replace(&mut self, mesh: Arc<TetMesh>) -> Result<()> {
+        self.cells.replace(&self.mesh, &mesh)?;
+        self.mesh = mesh;
+        // Functions are normalised to the field's ranges, and what is transparent has changed.
+        self.scene = None;
+        Ok(())
+    }
+
     /// Compiles the transfer function where it changed.
     fn prepare_scene(&mut self, frame: &Frame<'_>) -> Result<()> {
         supports(frame.transfer, frame.optics, self.settings.integral)?;

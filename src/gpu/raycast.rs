@@ -114,12 +114,7 @@ impl RayCaster {
     /// # Errors
     /// A mesh of other tetrahedra; a lost device.
     pub fn replace(&mut self, mesh: Arc<TetMesh>) -> Result<()> {
-        if mesh.tets != self.mesh.tets {
-            return Err(Error::Asked(
-                "the mesh has other tetrahedra than the one that was uploaded: make a new renderer".into(),
-            ));
-        }
-        self.linked.take_places(&mesh);
+        self.linked.replace(&self.mesh, &mesh)?;
         if mesh.vertices != self.mesh.vertices {
             self.store.put_places(&self.gpu, &self.linked);
         }

@@ -63,6 +63,7 @@ impl TetMesh {
             field: field.name.clone(),
             points: points.len() as u64,
             cells: count_kinds(&cells),
+            cell_count: cells.len() as u64,
             merged_points: merged.finding("point"),
             blanked_cells: cells.blanked().finding("cell"),
             notes: notes.into_iter().map(note_text).chain(field.notes.iter().cloned()).collect(),
@@ -82,15 +83,19 @@ fn note_text(note: ReadNote) -> String {
 
 /// Mesh space within data space.
 #[derive(Clone, Copy, PartialEq)]
-struct Frame {
-    center: DVec3,
-    data_per_mesh: f64,
+pub(super) struct Frame {
+    pub center: DVec3,
+    pub data_per_mesh: f64,
 }
 
 impl Frame {
     /// Around the marked points: radius (half the box's diagonal) in (0.5, 1].
     fn around(points: &[DVec3], used: &[bool]) -> Result<Self> {
-        let bounds = Bounds::of(points.iter().zip(used).filter(|(_, used)| **used).map(|(&p, _)| p));
+        Self::of(Bounds::of(points.iter().zip(used).filter(|(_, used)| **used).map(|(&p, _)| p)))
+    }
+
+    /// Around a box.
+    pub(super) fn of(bounds: Bounds) -> Result<Self> {
         let radius = (0.5 * bounds.max - 0.5 * bounds.min).length();
         // Beyond these, volumes and gradients could leave f64's range.
         if !(1e-60..=1e60).contains(&radius) {
@@ -110,7 +115,7 @@ impl Frame {
         Ok(Self { center: bounds.center(), data_per_mesh })
     }
 
-    fn mesh_from_data(&self, p: DVec3) -> DVec3 {
+    pub(super) fn mesh_from_data(&self, p: DVec3) -> DVec3 {
         (p - self.center) / self.data_per_mesh
     }
 }
@@ -279,7 +284,8 @@ fn compact(cut: Cut, points: &[DVec3], merged_into: &[u32], field: Field, census
     for chunk in chunks {
         tets.extend(chunk.tets.into_iter().map(|tet| tet.map(|n| new_number[n as usize])));
     }
-    let mut mesh = TetMesh {
+    census.points_of_vertices = kept.iter().map(|&i| i as u32).collect();
+    let mesh = TetMesh {
         vertices: kept.iter().map(|&i| frame.mesh_from_data(points[i])).collect(),
         center_in_data: frame.center,
         data_per_mesh: frame.data_per_mesh,
@@ -288,12 +294,5 @@ fn compact(cut: Cut, points: &[DVec3], merged_into: &[u32], field: Field, census
         gradient_magnitude: Vec::new(),
         field: field.name,
     };
-    mesh.gradient_magnitude = mesh.vertex_gradients().into_iter().map(DVec3::length).collect();
-    if let Some(v) = mesh.gradient_magnitude.iter().position(|g| !g.is_finite()) {
-        return Err(Error::Mesh(format!(
-            "the gradient of {:?} is beyond f64 at point {}: the field's values are too large; change their unit",
-            mesh.field, kept[v]
-        )));
-    }
-    Ok(mesh)
+    mesh.with_gradients(&census.points_of_vertices)
 }

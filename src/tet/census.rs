@@ -88,6 +88,12 @@ pub struct Census {
     pub merged_points: Finding,
     /// Used points at exactly the position of an earlier used point; they are not merged.
     pub coincident_points: Finding,
+    /// The file's point of each vertex.
+    #[serde(skip)]
+    pub points_of_vertices: Vec<u32>,
+    /// The file's volume cells, blanked ones included.
+    #[serde(skip)]
+    pub cell_count: u64,
     /// What the reader left out or guessed and how the field was made, one sentence each.
     pub notes: Vec<String>,
 }

@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use super::boundary::{Boundary, Side};
 use super::crossing::Crossing;
 use super::{Adjacency, Axis, NO_TET, TetId, TetMesh};
+use crate::error::{Error, Result};
 
 /// One tetrahedron: half a cache line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -97,8 +98,22 @@ impl LinkedMesh {
         self.odd[(cell / 32) as usize] >> (cell % 32) & 1 != 0
     }
 
-    /// Takes places and fields from a mesh of the same tetrahedra: what a time step changes. Nothing is linked anew.
-    pub fn take_places(&mut self, mesh: &TetMesh) {
+    /// Takes places and fields from `next`, which has the tetrahedra of `last`: what a time step changes. Nothing is linked
+    /// anew.
+    ///
+    /// # Errors
+    /// [`Error::Asked`] for other tetrahedra.
+    pub fn replace(&mut self, last: &TetMesh, next: &TetMesh) -> Result<()> {
+        if next.tets != last.tets {
+            return Err(Error::Asked(
+                "the mesh has other tetrahedra than the one that is to be replaced: make a new renderer".into(),
+            ));
+        }
+        self.take_places(next);
+        Ok(())
+    }
+
+    fn take_places(&mut self, mesh: &TetMesh) {
         (self.scalar, self.gradient) = (Axis::of(mesh.scalar_range()), Axis::of(mesh.gradient_range()));
         let (scalar, gradient) = (self.scalar, self.gradient);
         let vertex = |&old: &u32| {

@@ -14,6 +14,7 @@ mod geometry;
 mod gradient;
 mod histogram;
 mod linked;
+mod series;
 mod split;
 mod topology;
 mod weld;

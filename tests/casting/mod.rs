@@ -1,4 +1,5 @@
-//! What is asked of every engine that casts rays. The binary that includes this says which: `engine`.
+//! What is asked of every engine that casts rays. The binary that includes this says which: `engine`,
+//! and whether that compiles shaders for each function, which takes seconds: `COMPILES`.
 
 mod agreement;
 mod integrals;

@@ -5,6 +5,7 @@ mod data;
 mod field;
 mod histogram;
 mod laws;
+mod series;
 mod suggest;
 mod support;
 mod topology;
