@@ -14,12 +14,12 @@
 //! | [`mesh`] | what a file said: one reader per format ([`mesh::read`]), no geometry; [`mesh::synth`] makes meshes |
 //! | [`tet`] | what a renderer needs, whatever the view: [`tet::TetMesh`], its [`tet::Census`], adjacency, histogram |
 //! | [`scene`] | what the user chose: [`scene::Camera`], [`scene::TransferFunction`], [`scene::Optics`], the scene file |
-//! | [`plan`] | what a view implies, without colour: the near plane's cuts, the order of cells |
+//! | [`plan`] | what a view implies, without colour: where rays enter, the near plane's cuts, the order of cells |
 //! | [`image`] | linear pictures, PNG and EXR, [`image::Comparison`] |
 //! | [`renderer`] | [`renderer::Renderer`] and the closed sets of choices |
 //! | [`oracle`] | the integral in f64 by quadrature: the truth |
 //! | [`cpu`] | ray casting from cell to cell in f32 on all cores, for machines without a graphics processor |
-//! | [`gpu`] | projection on wgpu: the only module that knows of it; its passes are the files of `shaders/` |
+//! | [`gpu`] | projection and ray casting on wgpu: the only module that knows of it; its passes are the files of `shaders/` |
 //! | [`report`] | what runs are worth in numbers: [`report::segments`] holds an integral against the truth |
 //! | `cli` | the command line (feature `cli`): arguments, jobs, one file a command |
 //!

@@ -278,7 +278,9 @@ fn empty_cells_are_skipped_unseen() {
     let ramp = WidgetShape::Ramp { direction, knots: vec![[from, 1.0], [from + extent, 0.0]] };
     let windowed = Widget { window, ..axes.widget(ramp, BLUE, 30.0) };
     let narrow = TransferFunction::Widgets(vec![tent, windowed]);
-    for (function, transfer, _) in axes.functions().into_iter().chain([("tent and window", narrow, LIMITS)]) {
+    let mut functions = axes.functions();
+    functions.retain(|(name, ..)| !COMPILES || ["band", "turned Gaussian", "opaque shell"].contains(name));
+    for (function, transfer, _) in functions.into_iter().chain([("tent and window", narrow, LIMITS)]) {
         let (_, camera) = cameras(&mesh)[0];
         let mut with = renderer(&mesh, Settings::default());
         let mut without = renderer(&mesh, Settings { cull: false, ..Settings::default() });
