@@ -27,11 +27,14 @@
 
 override SHADED: bool = false;
 
-const TILE = 8u; // gpu/raycast.rs
+// Those of gpu/raycast.rs: pixels along a tile's side, vectors of a ray's state, counts of a tile.
+const TILE: u32 = 8u;
+const STATE_VECTORS: u32 = 4u;
+const TALLIES: u32 = 3u;
 const FAR = 1e30;
 const NO_SIDE = 0xffffffffu;
 // Mesh units: what lies nearer behind a place than this is at that place.
-const HAIR = 1e-6;
+override HAIR: f32;
 
 override MOST_TURNS: u32 = 8192u;
 
@@ -70,8 +73,10 @@ struct Way {
     transmittance: f32,
     // Where the walk goes on; NO_SIDE between walks.
     side: u32,
-    // Depth up to which the walk has done all.
+    // Depth up to which the walk has done all, or which is not seen.
     reached: f32,
+    // Where the last walk ended.
+    exit: f32,
     // How far the ray is done by walks that did not begin at the boundary: what they passed must not be passed again.
     covered: f32,
     // First come the cells around the eye: rays enter them where their line does, behind the eye.
@@ -245,6 +250,7 @@ fn walk(ray: Ray, way: ptr<function, Way>) {
             (*way).lost += select(0u, 1u, (*way).walked > CELLS);
             (*way).steps += (*way).walked;
             (*way).side = NO_SIDE;
+            (*way).exit = at.depth;
             return;
         }
     }
@@ -270,7 +276,7 @@ fn compose(ray: Ray, start: Values, back: Values, way: ptr<function, Way>) {
 
 fn new_way() -> Way {
     let start = Entry(-FAR, 0u);
-    return Way(vec3f(0.0), 1.0, NO_SIDE, 0.0, -FAR, rays.around > 0u, start, Entry(FAR, NO_SIDE), 0u, NO_SIDE, 0u, 0u, 0u,
+    return Way(vec3f(0.0), 1.0, NO_SIDE, 0.0, 0.0, -FAR, rays.around > 0u, start, Entry(FAR, NO_SIDE), 0u, NO_SIDE, 0u, 0u, 0u,
                0u);
 }
 
@@ -279,7 +285,7 @@ fn load_way(at: u32) -> Way {
     let b = states[at + 1u];
     let c = states[at + 2u];
     let d = states[at + 3u];
-    return Way(a.rgb, a.w, b.x, bitcast<f32>(b.y), bitcast<f32>(b.z), b.w != 0u, Entry(bitcast<f32>(c.x), c.y),
+    return Way(a.rgb, a.w, b.x, bitcast<f32>(b.y), 0.0, bitcast<f32>(b.z), b.w != 0u, Entry(bitcast<f32>(c.x), c.y),
                Entry(bitcast<f32>(c.z), c.w), d.x, d.y, d.z, 0u, 0u, 0u);
 }
 
@@ -298,7 +304,7 @@ fn trace(ray: Ray, list: vec2u, way: ptr<function, Way>) -> bool {
             walk(ray, way);
             if (*way).side == NO_SIDE {
                 if (*way).is_around {
-                    (*way).covered = max((*way).covered, (*way).reached);
+                    (*way).covered = max((*way).covered, (*way).exit);
                 }
                 // The last of them was found to be the last.
                 if (*way).transmittance <= rays.least_transmittance || ((*way).found == 1u && !(*way).is_around) {
@@ -343,7 +349,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     if any(pixel >= rays.size) {
         return;
     }
-    let at = 4u * (in_slab.y * rays.size.x + in_slab.x);
+    let at = STATE_VECTORS * (in_slab.y * rays.size.x + in_slab.x);
     let goes_on = rays.goes_on != 0u;
     if goes_on && states[at + 3u].w != 0u {
         return;
@@ -368,7 +374,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     if is_done {
         textureStore(picture, pixel, vec4f(way.color, 1.0 - way.transmittance) + way.transmittance * rays.background);
     }
-    atomicAdd(&tallies[3u * tile], way.steps);
-    atomicAdd(&tallies[3u * tile + 1u], way.repaired);
-    atomicAdd(&tallies[3u * tile + 2u], way.lost);
+    atomicAdd(&tallies[TALLIES * tile], way.steps);
+    atomicAdd(&tallies[TALLIES * tile + 1u], way.repaired);
+    atomicAdd(&tallies[TALLIES * tile + 2u], way.lost);
 }

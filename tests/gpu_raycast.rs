@@ -94,7 +94,7 @@ fn layouts_and_parts_draw_the_same_bits() {
     let with = |layout| Settings { layout, ..Settings::default() };
     let fast = draw(&mut caster(&mesh, with(CellLayout::Fast)), &camera, &transfer);
     let compact = draw(&mut caster(&mesh, with(CellLayout::Compact)), &camera, &transfer);
-    // Links and ids in three parts, rays in slabs.
+    // Links and ids in three parts.
     let parts = draw(&mut caster_on(small_device(), &mesh, with(CellLayout::Auto)), &camera, &transfer);
     assert_same_bits(&fast.image, &compact.image, "fast and compact");
     assert_same_bits(&fast.image, &parts.image, "whole and in parts");
@@ -104,6 +104,50 @@ fn layouts_and_parts_draw_the_same_bits() {
     let links = |r: &Rendered| r.stats.buffers.iter().filter(|b| b.name.starts_with("links")).count();
     assert_eq!((links(&fast), links(&parts)), (1, 3));
     assert!(parts.stats.pipelines.contains("compact") && fast.stats.pipelines.contains("fast"));
+}
+
+/// Rays of a picture whose states do not fit one binding.
+#[test]
+fn slabs_draw_the_same_bits() {
+    let mesh = meshes::sample(Sample::Tangle, 3_000);
+    let (camera, transfer) = (outside(&mesh), gaussian(&mesh));
+    let size = [250, 249];
+    let frame = Frame { camera: &camera, transfer: &transfer, optics: &Optics::PLAIN, size, background: [0.0; 4] };
+    let on = |gpu| caster_on(gpu, &mesh, Settings::default()).render(&frame, true).expect("a picture");
+    let (whole, slabs) = (on(device()), on(small_device()));
+    let dispatches = |r: &Rendered| r.stats.passes.iter().filter(|p| p.pass == "raycast").count();
+    assert_eq!((dispatches(&whole), dispatches(&slabs)), (1, 4));
+    assert_same_bits(&whole.image, &slabs.image, "whole and in slabs");
+    assert_eq!(whole.stats.rays, slabs.stats.rays);
+}
+
+/// Rays that are left in the middle of a walk or a search, again and again, go on as if nothing had been.
+#[test]
+fn rays_go_on_where_they_were_left() {
+    let mesh = meshes::fire();
+    let transfer = curve(&mesh);
+    let inside = Camera { near: None, ..camera(&mesh, DVec3::new(0.03, -0.02, 0.05)) };
+    for camera in [outside(&mesh), inside] {
+        for layout in [CellLayout::Fast, CellLayout::Compact] {
+            let settings = Settings { layout, ..Settings::default() };
+            let frame = Frame {
+                camera: &camera,
+                transfer: &transfer,
+                optics: &Optics::PLAIN,
+                size: SIZE,
+                background: [0.0; 4],
+            };
+            let at_once = caster(&mesh, settings).leaving_rays_after(20_000).render(&frame, true).expect("a picture");
+            let often = caster(&mesh, settings).leaving_rays_after(20).render(&frame, true).expect("a picture");
+            let dispatches = |r: &Rendered| r.stats.passes.iter().filter(|p| p.pass == "raycast").count();
+            let comparison = Comparison::new(&often.image, &at_once.image).expect("equal sizes");
+            println!("{} and {} dispatches, {:.1e}", dispatches(&at_once), dispatches(&often), comparison.max);
+            assert!(dispatches(&often) > 8 && dispatches(&at_once) == 1);
+            // Corners of the face where a ray goes on may come in another order.
+            assert!(comparison.max < 1e-6, "{comparison}");
+            assert_eq!(often.stats.rays, at_once.stats.rays);
+        }
+    }
 }
 
 #[test]
@@ -128,7 +172,7 @@ fn a_far_mesh_is_cast_in_several_dispatches() {
     let transfer = curve(&mesh);
     let size = [56, 56];
     let frame = Frame { camera: &camera, transfer: &transfer, optics: &Optics::PLAIN, size, background: [0.0; 4] };
-    let cast = caster(&mesh, Settings::default()).render(&frame, true).expect("a picture");
+    let cast = caster(&mesh, Settings::default()).leaving_rays_after(7_000).render(&frame, true).expect("a picture");
     let dispatches = cast.stats.passes.iter().filter(|p| p.pass == "raycast").count();
     assert!(dispatches > 1, "{dispatches}");
     let want = CpuRenderer::new(mesh.clone(), Settings::default()).expect("an engine").render(&frame, false);

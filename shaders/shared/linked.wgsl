@@ -20,7 +20,7 @@ override PART_CELLS: u32 = 0x3fffffffu;
 // The fast layout.
 override SLOT_PER_CORNER: bool = false;
 
-const NO_LINK = 0xffffffffu;
+const NO_LINK: u32 = 0xffffffffu; // tet/linked.rs
 
 // Across the face opposite a corner: four times the cell there, plus its corner that is not on the face.
 fn link_at(cell: u32, corner: u32) -> u32 {

@@ -58,7 +58,8 @@ fn ray_through(pixel: vec2u) -> Ray {
 }
 
 // Across the ray, in 2^-23 mesh units: whole numbers that f32 holds. A vertex is at one place for all of its cells, so this
-// must be the same arithmetic wherever it stands: fma leaves compilers no choice. The mesh lies within 1 of the origin, so
+// must be the same arithmetic wherever it stands: so that compilers do not choose here and there what to fuse, all of it is
+// fused (drivers keep to that, though no standard says that they have to). The mesh lies within 1 of the origin, so
 // what is farther than 2 from a ray that meets it is on no cell that the ray meets, and may be anywhere there.
 fn place_across(ray: Ray, p: vec3f) -> vec2f {
     let x = fma(p.z, ray.x_row.z, fma(p.y, ray.x_row.y, fma(p.x, ray.x_row.x, ray.x_offset)));

@@ -55,8 +55,8 @@ fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<
             ),
         ),
         Ok(gpu) => chosen(on_gpu(gpu, mesh, settings)?, ""),
-        Err(Error::Device(_)) if castable => {
-            chosen(cast(mesh, settings)?, "no graphics adapter was found: rays are cast on the CPU")
+        Err(Error::Device(why)) if castable => {
+            chosen(cast(mesh, settings)?, &format!("{why}; rays are cast on the CPU instead"))
         }
         Err(Error::Device(why)) => {
             let note = format!("{why}; rendered on the CPU with the f64 reference instead, which is slow");

@@ -125,7 +125,7 @@ impl<'a> Course<'a> {
     /// A walk has ended.
     fn pass(&mut self, ended: &Ended) {
         if self.is_from_eye {
-            self.covered = self.covered.max(ended.reached);
+            self.covered = self.covered.max(ended.exit);
         }
     }
 }

@@ -67,8 +67,8 @@ pub struct Walks<S: Simd> {
 /// A walk that has ended.
 #[derive(Clone, Copy, Debug)]
 pub struct Ended {
-    /// Distance along the ray up to which all is done.
-    pub reached: f32,
+    /// Distance along the ray of the face where it ended.
+    pub exit: f32,
     /// Cells entered.
     pub steps: u32,
     /// Of them, those whose exit lies before their entry.
@@ -140,7 +140,7 @@ impl<S: Simd> Walks<S> {
         let steps = self.steps.values()[lane];
         let is_lost = steps as usize >= ground.crossings.len() && self.links.values()[lane] != LinkedMesh::NO_LINK;
         let repaired = self.repaired.values()[lane];
-        Ended { reached: self.reached.values()[lane], steps, repaired, is_lost }
+        Ended { exit: self.depth.values()[lane], steps, repaired, is_lost }
     }
 
     /// Walks on until some reach the boundary, or the sink has enough of them: these end.

@@ -12,8 +12,8 @@ use crate::tet::{LinkedMesh, TetMesh};
 const LINKS: [&str; 4] = ["links_a", "links_b", "links_c", "links_d"];
 const IDS: [&str; 4] = ["ids_a", "ids_b", "ids_c", "ids_d"];
 
-/// Cells that a side can name: three bits of a word say which side (`tet/boundary.rs`).
-const MOST_CELLS: u64 = 1 << 29;
+/// Cells that a side can name: three bits of a word say which side (`tet/boundary.rs`), and all bits set mean none.
+const MOST_CELLS: u64 = (1 << 29) - 1;
 
 /// Cells turned into an upload at a time.
 const CELLS_AT_ONCE: usize = 1 << 18;

@@ -52,6 +52,7 @@ pub struct RayCaster {
     unfinished: wgpu::Buffer,
     unfinished_mapped: wgpu::Buffer,
     known_kernels: VecDeque<Arc<CastKernels>>,
+    most_turns: u32,
     scene: Option<Scene>,
     target: Option<Target>,
 }
@@ -85,6 +86,7 @@ impl RayCaster {
         gpu.wait()?;
         let rays = gpu.uniform("rays", &[layout::Rays::default()]);
         let light = gpu.uniform("light", &[layout::Light::default()]);
+        let most_turns = if gpu.is_software() { SOFTWARE_TURNS } else { HARDWARE_TURNS };
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
         let [entries, tallies, states, unfinished] = [(); 4].map(|()| gpu.buffer("rays", 0, usage));
         let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
@@ -103,9 +105,18 @@ impl RayCaster {
             unfinished,
             unfinished_mapped,
             known_kernels: VecDeque::new(),
+            most_turns,
             scene: None,
             target: None,
         })
+    }
+
+    /// The same, leaving rays to the next dispatch after so many turns of loops: how short dispatches are tested with small
+    /// meshes.
+    #[must_use]
+    pub fn leaving_rays_after(mut self, turns: u32) -> Self {
+        self.most_turns = turns;
+        self
     }
 
     /// Another field, time step or place of the vertices, on the same tetrahedra: uploads values, gradients and, where
@@ -152,8 +163,8 @@ impl RayCaster {
         // What is transparent glows, too, where emission is not weighted by extinction.
         constants.push(("CULL", flag(self.settings.cull && emission == EmissionModel::Weighted)));
         constants.push(("PERSPECTIVE", flag(perspective)));
-        let turns = if self.gpu.is_software() { SOFTWARE_TURNS } else { HARDWARE_TURNS };
-        constants.push(("MOST_TURNS", turns.into()));
+        constants.push(("MOST_TURNS", self.most_turns.into()));
+        constants.push(("HAIR", eye::HAIR.into()));
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let cells = linked.cells.len() as u32;
         let occupied = self.gpu.buffer("occupied", u64::from(cells.div_ceil(256)) * 32, usage);
@@ -265,7 +276,10 @@ impl RayCaster {
         let cells = self.linked.cells.len() as u64;
         let bits: Vec<u32> = self.gpu.read(&scene.occupied, scene.occupied.size())?;
         let visible = bits.iter().map(|word| u64::from(word.count_ones())).sum();
-        let tallies: Vec<u32> = self.gpu.read(&self.tallies, self.tallies.size())?;
+        // The buffer may be that of a larger picture before.
+        let size = self.target.as_ref().ok_or_else(unprepared)?.size;
+        let tiles: u64 = size.map(|n| u64::from(n.div_ceil(TILE))).iter().product();
+        let tallies: Vec<u32> = self.gpu.read(&self.tallies, tiles * TALLIES as u64 * 4)?;
         let total = |of: usize| tallies.iter().skip(of).step_by(TALLIES).map(|&n| u64::from(n)).sum();
         let size = |(name, buffer): (&str, &wgpu::Buffer)| BufferSize { name: name.to_owned(), bytes: buffer.size() };
         let frame = [
@@ -325,4 +339,25 @@ fn grow(gpu: &Gpu, buffer: &mut wgpu::Buffer, label: &str, bytes: u64) -> Result
 
 fn unprepared() -> Error {
     Error::Device("internal: a frame was drawn before it was prepared".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::shader::Module;
+
+    #[test]
+    fn the_shader_has_the_same_constants() {
+        let module = Module::new("raycast").expect("a pass").naga;
+        let value = |name: &str| {
+            let constant = module.constants.iter().find(|(_, c)| c.name.as_deref() == Some(name)).expect(name).1;
+            match module.global_expressions[constant.init] {
+                naga::Expression::Literal(naga::Literal::U32(value)) => value,
+                ref other => panic!("{name}: {other:?}"),
+            }
+        };
+        assert_eq!((value("TILE"), value("NO_LINK")), (TILE, LinkedMesh::NO_LINK));
+        assert_eq!((value("STATE_VECTORS") * 16, value("TALLIES")), (STATE_BYTES as u32, TALLIES as u32));
+        assert_eq!(module.entry_points[0].workgroup_size, [TILE, TILE, 1]);
+    }
 }

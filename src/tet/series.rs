@@ -21,7 +21,7 @@ impl TetMesh {
     /// are not finite where tetrahedra were kept, and for points whose motion turned a tetrahedron over: make it anew.
     pub fn with_field(&self, census: &Census, mesh: Mesh, choice: &FieldChoice) -> Result<Self> {
         let Mesh { points, topology, arrays, available, .. } = mesh;
-        let cells = Cells::new(&topology, points.len())?;
+        let mut cells = Cells::new(&topology, points.len())?;
         let (known, counted) = (census.cell_count, cells.len() as u64);
         let kept = &census.points_of_vertices;
         if points.len() as u64 != census.points || counted != known || kept.len() != self.vertices.len() {
@@ -32,7 +32,16 @@ impl TetMesh {
                 census.points
             )));
         }
+        if census.merged_points.count > 0 && cells.weld(&points).finding("point") != census.merged_points {
+            return Err(Error::Mesh("other points lie at one place than those that were merged: weld anew".into()));
+        }
         let field = Field::select(arrays, &available, choice, &cells, points.len())?;
+        if let Some(cell) = field.unusable.iter().position(|&unusable| unusable) {
+            return Err(Error::Mesh(format!(
+                "{:?} is not finite in cell {cell}: make tetrahedra anew, which leaves such cells out",
+                field.name
+            )));
+        }
         let scalar: Vec<f64> = kept.iter().map(|&i| field.values[i as usize]).collect();
         if let Some(v) = scalar.iter().position(|s| !s.is_finite()) {
             return Err(Error::Mesh(format!(
@@ -59,11 +68,12 @@ impl TetMesh {
             return Err(Error::Mesh(format!("point {} lies at {}, which is no place", points[v], places[v])));
         }
         let frame = Frame::of(Bounds::of(places.iter().copied()))?;
+        (self.center_in_data, self.data_per_mesh) = (frame.center, frame.data_per_mesh);
         let vertices: Vec<DVec3> = places.par_iter().map(|&p| frame.mesh_from_data(p)).collect();
         if vertices == self.vertices {
             return Ok(());
         }
-        (self.vertices, self.center_in_data, self.data_per_mesh) = (vertices, frame.center, frame.data_per_mesh);
+        self.vertices = vertices;
         let turned = |tet: &[u32; 4]| !is_positive(tet.map(|v| self.vertices[v as usize]));
         match self.tets.par_iter().position_first(turned) {
             Some(tet) => Err(Error::Mesh(format!(

@@ -13,6 +13,7 @@ use tetralux::scene::{
 use tetralux::tet::TetMesh;
 
 use crate::common::agreement::{Explainer, Limits, Verdict, assert_limits_bite};
+use crate::common::boxes::box_mesh;
 use crate::common::meshes;
 use crate::{COMPILES, engine};
 
@@ -313,4 +314,46 @@ fn the_background_is_behind() {
     let worst = got.pixels.iter().zip(&want.pixels).flat_map(|(p, q)| (0..4).map(|c| (p[c] - q[c]).abs()));
     assert!(worst.fold(0.0, f32::max) < 1e-6);
     assert!(alone.pixels.iter().any(|p| p[3] == 0.0) && alone.pixels.iter().any(|p| p[3] > 0.1));
+}
+
+/// An eye in a cell before a gap that ends nearer than the picture begins: what is behind it is seen.
+#[test]
+fn a_gap_before_the_near_plane_hides_nothing() {
+    let mut mesh = box_mesh(8, DVec3::ZERO, DVec3::new(2.0, 1.0, 1.0), |p| [p.x, p.y]);
+    let middle =
+        |tet: &[u32; 4]| tet.map(|v| mesh.data_from_mesh(mesh.vertices[v as usize]).x).iter().sum::<f64>() / 4.0;
+    let kept: Vec<[u32; 4]> = mesh.tets.iter().copied().filter(|tet| !(1.0..1.25).contains(&middle(tet))).collect();
+    assert!(kept.len() < mesh.tets.len());
+    mesh.tets = kept;
+    let mesh = Arc::new(mesh);
+    let transfer = Axes::of(&mesh).curve(&[(0.0, GOLD, 3.0), (1.0, BLUE, 6.0)]);
+    let camera = Camera {
+        eye: DVec3::new(0.7, 0.45, 0.52),
+        target: DVec3::new(2.0, 0.5, 0.5),
+        up: DVec3::Y,
+        projection: Projection::Perspective { fov_y: 0.9 },
+        near: Some(0.6),
+    };
+    let got = draw(&mut *renderer(&mesh, Settings::default()), &camera, &transfer, SIZE).image;
+    let frame =
+        Frame { camera: &camera, transfer: &transfer, optics: &Optics::PLAIN, size: SIZE, background: [0.0; 4] };
+    let want = Oracle::new(mesh.clone()).image(&frame).expect("a picture");
+    let comparison = Comparison::new(&got, &want).expect("equal sizes");
+    println!("{:.1} dB", comparison.psnr);
+    assert!(comparison.psnr > 100.0, "{comparison}");
+    assert!(want.pixels.iter().filter(|p| p[3] > 0.5).count() > 3_000);
+}
+
+/// What rays met is counted for the picture alone, however large the one before was.
+#[test]
+fn counts_are_those_of_the_picture() {
+    let mesh = meshes::sample(Sample::Tangle, 2_000);
+    let transfer = Axes::of(&mesh).curve(&[(0.0, GOLD, 0.5), (1.0, BLUE, 1.0)]);
+    let (_, camera) = cameras(&mesh)[0];
+    let mut kept = renderer(&mesh, Settings::default());
+    let large = draw(&mut *kept, &camera, &transfer, SIZE).stats.rays.expect("counts");
+    let small = draw(&mut *kept, &camera, &transfer, [40, 40]).stats.rays.expect("counts");
+    let alone = draw(&mut *renderer(&mesh, Settings::default()), &camera, &transfer, [40, 40]).stats.rays;
+    assert_eq!(Some(small), alone);
+    assert!(large.steps > 3 * small.steps, "{large:?} and {small:?}");
 }

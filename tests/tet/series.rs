@@ -34,11 +34,17 @@ fn points_may_move() {
         mesh.points.iter_mut().for_each(|p| *p = 3.0 * *p + DVec3::new(p.y * p.y, 7.0, 0.2 * p.x));
         mesh
     };
+    // These change nothing in mesh space.
+    let larger = || Mesh { points: two_fields().points.iter().map(|&p| 2.0 * p).collect(), ..two_fields() };
+    let aside = || Mesh { points: two_fields().points.iter().map(|&p| p + DVec3::X).collect(), ..two_fields() };
     let (first, census) = made(two_fields(), &FieldChoice::default());
-    let got = first.with_field(&census, moved(), &FieldChoice::default()).expect("a field");
-    let (want, _) = made(moved(), &FieldChoice::default());
-    assert_eq!((got.data_per_mesh, got.center_in_data), (want.data_per_mesh, want.center_in_data));
-    assert_eq!((got.vertices, got.gradient_magnitude), (want.vertices, want.gradient_magnitude));
+    let meshes: [&dyn Fn() -> Mesh; 3] = [&moved, &larger, &aside];
+    for mesh in meshes {
+        let got = first.with_field(&census, mesh(), &FieldChoice::default()).expect("a field");
+        let (want, _) = made(mesh(), &FieldChoice::default());
+        assert_eq!((got.data_per_mesh, got.center_in_data), (want.data_per_mesh, want.center_in_data));
+        assert_eq!((got.vertices, got.gradient_magnitude), (want.vertices, want.gradient_magnitude));
+    }
 }
 
 #[test]
@@ -51,6 +57,16 @@ fn what_does_not_fit_is_refused() {
     };
     assert!(refusal(|_| {}, "third").contains("no field \"third\""));
     assert!(refusal(|mesh| mesh.arrays[1].values[7] = f64::NAN, "second").contains("not finite at point 7"));
+    let in_cell = refusal(
+        |mesh| {
+            let mut values = vec![1.0; mesh.topology.cell_count()];
+            values[9] = f64::NAN;
+            let (name, association) = ("of cells".into(), Association::Cell);
+            mesh.arrays.push(DataArray { name, association, components: 1, values });
+        },
+        "of cells",
+    );
+    assert!(in_cell.contains("not finite in cell 9"), "{in_cell}");
     let more = refusal(
         |mesh| {
             mesh.points.push(DVec3::ZERO);
