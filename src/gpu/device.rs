@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 use crate::gpu::shader::{Binding, BindingKind, Module};
 
 /// What the largest shader of projection binds.
-const MOST_STORAGE_BUFFERS: u32 = 11;
+const MOST_STORAGE_BUFFERS: u32 = 13;
 
 /// Which adapters may be used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
