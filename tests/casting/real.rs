@@ -82,7 +82,7 @@ fn widgets(mesh: &TetMesh) -> TransferFunction {
 }
 
 /// Of a mesh with cells that lie on top of others: which of two at one place is before the other is anybody's choice.
-const FOLDED: Limits = Limits { explained_above: 5e-3, ..LIMITS };
+const FOLDED: Limits = Limits { explained_above: 1e-2, ..LIMITS };
 
 fn agrees(file: &str, array: &str, limits: Limits) {
     let mesh: Arc<TetMesh> = meshes::read(&folder("TETRALUX_DATA").join("tet").join(file), array);
