@@ -77,7 +77,7 @@ struct Way {
     reached: f32,
     // Where the last walk ended.
     exit: f32,
-    // How far the ray is done by walks that did not begin at the boundary: what they passed must not be passed again.
+    // How far the ray is done by walks from cells around the eye: others of these cells were passed on the way.
     covered: f32,
     // First come the cells around the eye: rays enter them where their line does, behind the eye.
     is_around: bool,
@@ -330,7 +330,7 @@ fn trace(ray: Ray, list: vec2u, way: ptr<function, Way>) -> bool {
                     (*way).entry = Entry(-FAR, 0u);
                 } else {
                     (*way).entry = (*way).next;
-                    if (*way).next.depth >= (*way).covered - HAIR {
+                    if !(*way).is_around || (*way).next.depth >= (*way).covered - HAIR {
                         (*way).side = (*way).next.side;
                         (*way).walked = 0u;
                     }

@@ -90,7 +90,7 @@ struct Course<'a> {
     /// On the faces through which the ray's line enters the cells around the eye, behind that, the farthest last.
     near_eye: Vec<Face>,
     entries: std::slice::Iter<'a, Entry>,
-    /// How far the ray is done by walks that did not begin at the boundary: what they passed must not be passed again.
+    /// How far the ray is done by walks from cells around the eye: others of these cells were passed on the way.
     covered: f32,
     is_from_eye: bool,
 }
@@ -117,9 +117,9 @@ impl<'a> Course<'a> {
             }
         }
         self.is_from_eye = false;
-        let (axes, covered) = (&self.axes, self.covered);
+        let axes = &self.axes;
         let mut faces = self.entries.by_ref().map(|entry| Face::new::<BIVARIATE>(mesh, axes, entry.side));
-        faces.find(|face| face.is_inside && is_new(face, covered))
+        faces.find(|face| face.is_inside)
     }
 
     /// A walk has ended.

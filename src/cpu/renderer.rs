@@ -110,7 +110,7 @@ impl CpuRenderer {
         let picture = Picture {
             arch: self.arch,
             setting: Setting { mesh: &self.cells, lens: &lens, around: &around },
-            view: BoundaryView::new(&self.cells.boundary, &lens, frame.size, TILE),
+            view: BoundaryView::new(&self.cells.boundary, &lens, frame.size, TILE, &around),
             empty: &scene.empty,
             size: frame.size,
             background: Vec4::from(frame.background),

@@ -225,7 +225,7 @@ impl RayCaster {
     /// Sorts the boundary into the picture's tiles. How many sides of cells hold the eye.
     fn bin(&mut self, lens: &Lens, size: [u32; 2]) -> Result<u32> {
         let around = eye::sides_around(&self.linked, lens);
-        let view = BoundaryView::new(&self.linked.boundary, lens, size, TILE);
+        let view = BoundaryView::new(&self.linked.boundary, lens, size, TILE, &around);
         let mut entries: Vec<u32> = around.iter().map(|side| side.packed()).collect();
         let (starts, sides) = view.packed_tiles();
         let first = (around.len() + starts.len()) as u32;

@@ -45,8 +45,9 @@ pub fn of_ray(boundary: &Boundary, lens: &Lens, film: DVec2) -> Vec<Entry> {
 }
 
 impl<'a> BoundaryView<'a> {
-    /// Sorts the faces into the tiles, of so many pixels a side, of a picture.
-    pub fn new(boundary: &'a Boundary, lens: &Lens, size: [u32; 2], side: u32) -> Self {
+    /// Sorts the faces into the tiles, of so many pixels a side, of a picture. `around`: sides of the cells in which rays
+    /// begin anyway, which are left out.
+    pub fn new(boundary: &'a Boundary, lens: &Lens, size: [u32; 2], side: u32, around: &[Side]) -> Self {
         let points: Vec<DVec3> = boundary.points.par_iter().with_min_len(1024).map(|&p| lens.view(p)).collect();
         let tiles = size.map(|n| n.div_ceil(side));
         let boxes: Vec<Option<[u32; 4]>> = boundary
@@ -55,7 +56,8 @@ impl<'a> BoundaryView<'a> {
             .with_min_len(256)
             .map(|face| {
                 let corners = face.points.map(|p| points[p as usize]);
-                if Triangle::new(corners, lens.perspective).surely_leaves() {
+                let is_around = around.iter().any(|other| other.cell == face.side.cell);
+                if is_around || Triangle::new(corners, lens.perspective).surely_leaves() {
                     return None;
                 }
                 tiles_of(corners, lens, size, side)
