@@ -81,7 +81,11 @@ fn widgets(mesh: &TetMesh) -> TransferFunction {
     ])
 }
 
-fn agrees(file: &str, array: &str) {
+/// Of a mesh with cells that lie on top of others: which of two at one place is before the other is anybody's choice. Measured:
+/// 71.0 dB and 1.2e-3 in one view from inside, where 223 of 230 larger errors are on rays that pass two cells at once.
+const FOLDED: Limits = Limits { psnr: 70.0, percentile_99_9: 2e-3, ..LIMITS };
+
+fn agrees(file: &str, array: &str, limits: Limits) {
     let mesh: Arc<TetMesh> = meshes::read(&folder("TETRALUX_DATA").join("tet").join(file), array);
     let integral = SegmentIntegral::Adaptive { tolerance: 1e-3 };
     let mut renderer = engine(&mesh, Settings { integral, ..Settings::default() });
@@ -93,12 +97,12 @@ fn agrees(file: &str, array: &str) {
             let rendered = renderer.render(&frame, false).expect("a picture");
             let want = oracle.image(&frame).expect("a picture");
             let explainer = Explainer { mesh: &mesh, frame, view: oracle.view(&frame).expect("a view"), shift: SHIFT };
-            let verdict = Verdict::new(&rendered.image, &want, LIMITS, |pixel, error| explainer.cause(pixel, error));
+            let verdict = Verdict::new(&rendered.image, &want, limits, |pixel, error| explainer.cause(pixel, error));
             let rays = rendered.stats.rays.expect("counts");
             println!("{file}, {function}, {place}: {verdict} {rays:?}");
             let seen = want.pixels.iter().filter(|p| p[3] > 0.01).count();
             assert!(seen > 3_000, "{file}, {function}, {place}: seen in {seen} pixels");
-            assert_limits_bite(&want, LIMITS);
+            assert_limits_bite(&want, limits);
             verdict.assert_good(&format!("{file}, {function}, {place}"));
             assert_eq!(rays.lost, 0, "{file}, {function}, {place}");
         }
@@ -106,25 +110,25 @@ fn agrees(file: &str, array: &str) {
 }
 
 macro_rules! meshes {
-    ($($name:ident: $file:literal $array:literal,)*) => {$(
+    ($($name:ident: $file:literal $array:literal $limits:ident,)*) => {$(
         #[test]
         #[ignore = "needs TETRALUX_DATA"]
-        fn $name() { agrees($file, $array); }
+        fn $name() { agrees($file, $array, $limits); }
     )*};
 }
 
 meshes! {
-    blunt_fin: "bluntfin_tet.vtu" "Density",
-    post: "post_tet.vtu" "StagnationEnergy",
-    disk: "disk_out_ref.vtu" "Temp",
-    can: "can.vtu" "VEL",
-    cavity: "driven_cavity.vtu" "Velocity",
-    oneram6: "oneram6_small.vtu" "Mach",
-    bracket: "mech_bracket.vtu" "xdsp",
+    blunt_fin: "bluntfin_tet.vtu" "Density" LIMITS,
+    post: "post_tet.vtu" "StagnationEnergy" LIMITS,
+    disk: "disk_out_ref.vtu" "Temp" LIMITS,
+    can: "can.vtu" "VEL" FOLDED,
+    cavity: "driven_cavity.vtu" "Velocity" LIMITS,
+    oneram6: "oneram6_small.vtu" "Mach" LIMITS,
+    bracket: "mech_bracket.vtu" "xdsp" LIMITS,
 }
 
 #[test]
 #[ignore = "takes a minute"]
 fn fire() {
-    agrees("../registry/fire_ug.vtu", "t");
+    agrees("../registry/fire_ug.vtu", "t", LIMITS);
 }
