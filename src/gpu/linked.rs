@@ -1,10 +1,10 @@
 //! The linked mesh on the device, in one of two layouts.
 
-use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::error::{Error, Result};
 use crate::gpu::device::{Gpu, Resources};
+use crate::gpu::mesh::relative_gradients;
 use crate::renderer::CellLayout;
 use crate::tet::{LinkedMesh, TetMesh};
 
@@ -114,10 +114,7 @@ impl LinkedBuffers {
         if self.has_vectors {
             return;
         }
-        let steepest = source.gradient_range().max;
-        // Divided first: a reciprocal may be beyond f64.
-        let relative = |g: DVec3| if steepest > 0.0 { (g / steepest).as_vec3().to_array() } else { [0.0; 3] };
-        let vectors: Vec<[f32; 3]> = source.vertex_gradients().into_par_iter().map(relative).collect();
+        let vectors = relative_gradients(source);
         if self.gradient_vectors.size() < self.slots * 12 {
             self.gradient_vectors = storage(gpu, "gradient_vectors", self.slots * 12);
         }

@@ -125,12 +125,17 @@ impl MeshBuffers {
         if !self.vectors.is_empty() {
             return;
         }
-        let steepest = mesh.gradient_range().max;
-        // Divided first: a reciprocal may be beyond f64.
-        let relative = |g: DVec3| if steepest > 0.0 { (g / steepest).as_vec3().to_array() } else { [0.0; 3] };
-        self.vectors = mesh.vertex_gradients().into_par_iter().map(relative).collect();
+        self.vectors = relative_gradients(mesh);
         self.gradient_vectors = padded(gpu, "gradient_vectors", &self.vectors, spare_vertices);
     }
+}
+
+/// The gradient at each vertex; the longest has length 1.
+pub fn relative_gradients(mesh: &TetMesh) -> Vec<[f32; 3]> {
+    let steepest = mesh.gradient_range().max;
+    // Divided first: a reciprocal may be beyond f64.
+    let relative = |g: DVec3| if steepest > 0.0 { (g / steepest).as_vec3().to_array() } else { [0.0; 3] };
+    mesh.vertex_gradients().into_par_iter().map(relative).collect()
 }
 
 /// Tetrahedra (16 bytes each) that one binding holds.

@@ -11,6 +11,7 @@ use crate::gpu::light::{self, Shading};
 use crate::gpu::linked::LinkedBuffers;
 use crate::gpu::rays;
 use crate::gpu::record::{Recorder, Work};
+use crate::gpu::renderer::unprepared;
 use crate::gpu::target::Target;
 use crate::gpu::transfer::TransferBuffers;
 use crate::plan::entries::BoundaryView;
@@ -335,10 +336,6 @@ fn grow(gpu: &Gpu, buffer: &mut wgpu::Buffer, label: &str, bytes: u64) -> Result
         *buffer = gpu.buffer(label, (bytes + bytes / 4).min(gpu.max_binding), buffer.usage());
     }
     Ok(())
-}
-
-fn unprepared() -> Error {
-    Error::Device("internal: a frame was drawn before it was prepared".to_owned())
 }
 
 #[cfg(test)]

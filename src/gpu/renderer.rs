@@ -554,6 +554,7 @@ fn sorts_on_host(gpu: &Gpu, settings: Settings) -> bool {
     }
 }
 
-fn unprepared() -> Error {
+/// A frame that no scene was prepared for.
+pub fn unprepared() -> Error {
     Error::Device("internal: a frame was drawn before it was prepared".to_owned())
 }

@@ -13,7 +13,7 @@ pub mod random;
 
 use std::path::PathBuf;
 
-/// The folder that an environment variable names; tests that need it are `#[ignore]`d, so that it is asked for.
+/// The folder that an environment variable names; tests that need it are left out unless asked for.
 pub fn folder(variable: &str) -> PathBuf {
     match std::env::var_os(variable) {
         Some(folder) => folder.into(),
