@@ -46,7 +46,8 @@ fn fan(seen: SeenCell) -> vec4u {
 
 // What lies behind the apex.
 fn behind(corner: Corner, apex: Apex) -> Corner {
-    let plane = corner.plane + vec3f(-apex.thickness, apex.scalar_change, apex.gradient_change);
+    let farther = select(apex.thickness, -apex.thickness, PERSPECTIVE);
+    let plane = corner.plane + vec3f(farther, apex.scalar_change, apex.gradient_change);
     return Corner(corner.clip, plane, corner.tent, corner.vector + apex.vector_change);
 }
 

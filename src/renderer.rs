@@ -32,6 +32,8 @@ pub enum OrderMethod {
     /// View depth of the cell's centroid, back to front.
     #[default]
     Centroid,
+    /// Each pixel's fragments by their own depth, whatever the order of cells: exact.
+    PerPixel,
 }
 
 /// Where the depth sort runs.

@@ -89,6 +89,7 @@ fn hosts() -> Vec<Host> {
         host!(SegmentResult { color, pieces, pad_a, pad_b, pad_c }),
         host!(Piece { origin, slope }),
         host!(BandTotals { bands, pairs, most, deep }),
+        host!(Strip { first_pixel, end_pixel, base, goes_on }),
         host!(Chunk { first_cell, cells, pad_a, pad_b }),
     ]
 }

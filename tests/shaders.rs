@@ -86,6 +86,8 @@ fn every_file_is_listed_and_used() {
         }
     }
     let shared: BTreeSet<String> = files("math").into_iter().chain(files("shared")).collect();
+    // A pass may be another one and more.
+    let reached: BTreeSet<String> = reached.into_iter().filter(|name| name.contains('/')).collect();
     assert_eq!(reached, shared, "imported by some pass, and in shaders/math or shaders/shared");
 }
 

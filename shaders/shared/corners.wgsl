@@ -13,7 +13,7 @@
 @group(3) @binding(2) var<storage, read> order: array<u32>; // cells, or spans of cells, back to front
 @group(3) @binding(4) var<storage, read> cell_bands: array<u32>;
 @group(3) @binding(3) var<storage, read> projected: array<vec2f>;
-// Four corners a cell; per corner: clip xy; 1/z and scalar/z; three tent functions; then, of the first corner alone, at
+// Four corners a cell; per corner: clip xy; 1/z (orthographic: the depth) and scalar/z; three tent functions; then, of the first corner alone, at
 // the apex, the thickness (negative where the front is the interpolated side) and the change of scalar/z from the
 // interpolated to the other side; with BIVARIATE gradient/z and its change; with BANDS the lower piece, as 8 x piece
 // + 1 where the span is not clipped below + 2 where it is not above + 4 where it has no upper band, and the scalar is that
@@ -51,6 +51,8 @@ struct SeenCell {
     // Vertices in front.
     count: u32,
     inverse_depths: vec4f,
+    // The same for a perspective camera, else depths from the reference point.
+    heights: vec4f,
     scalars: vec4f,
     gradients: vec4f,
     apex: Apex,
@@ -62,7 +64,7 @@ struct SeenCell {
 // What is affine over a triangle of a cell, at a corner.
 struct Corner {
     clip: vec2f,
-    // 1/z, scalar/z, gradient/z.
+    // 1/z (orthographic: the depth), scalar/z, gradient/z.
     plane: vec3f,
     tent: vec3f,
     // Gradient vector/z.
@@ -178,6 +180,11 @@ fn seen_cell(entry: u32) -> SeenCell {
     seen.count = u32(front.x) + u32(front.y) + u32(front.z) + u32(front.w);
     let depths = vec4f(divisor(p0.xyz), divisor(p1.xyz), divisor(p2.xyz), divisor(p3.xyz));
     seen.inverse_depths = 1.0 / depths;
+    seen.heights = seen.inverse_depths;
+    if !PERSPECTIVE {
+        seen.heights = vec4f(dot(frame.forward, p0.xyz - frame.reference), dot(frame.forward, p1.xyz - frame.reference),
+                             dot(frame.forward, p2.xyz - frame.reference), dot(frame.forward, p3.xyz - frame.reference));
+    }
     // A tent function is 1 / (share of its corner) there, 0 at the others, and 1 at the apex.
     let shares = depths * select(front_weights * scales.x, back_weights * scales.y, seen.count == 1u);
     seen.peaks = 1.0 / max(shares, vec4f(1e-7));
@@ -187,7 +194,8 @@ fn seen_cell(entry: u32) -> SeenCell {
 // `k`: a vertex of the cell, 0 to 3.
 fn corner_of(seen: SeenCell, k: u32) -> Corner {
     let inverse = seen.inverse_depths[k];
-    var corner = Corner(projected[seen.tet[k]], inverse * vec3f(1.0, seen.scalars[k], seen.gradients[k]), vec3f(), vec3f());
+    let plane = vec3f(seen.heights[k], inverse * seen.scalars[k], inverse * seen.gradients[k]);
+    var corner = Corner(projected[seen.tet[k]], plane, vec3f(), vec3f());
     if SHADED {
         corner.vector = inverse * gradient_vector(seen.tet[k]);
     }

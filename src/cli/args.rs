@@ -213,6 +213,7 @@ impl ChoiceArgs {
             integral: self.integral,
             order: match self.order {
                 Order::Centroid => renderer::OrderMethod::Centroid,
+                Order::PerPixel => renderer::OrderMethod::PerPixel,
             },
             cull: !self.no_cull,
             sort: match self.sort {
@@ -285,6 +286,8 @@ pub(super) enum Method {
 pub(super) enum Order {
     /// View depth of the cell's centroid
     Centroid,
+    /// Each pixel's fragments by their own depth: exact
+    PerPixel,
 }
 
 /// As it is written on the command line.

@@ -160,6 +160,17 @@ pub struct BandTotals {
     pub deep: u32,
 }
 
+/// `shared/lists.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "the fields are documented in the shader")]
+pub struct Strip {
+    pub first_pixel: u32,
+    pub end_pixel: u32,
+    pub base: u32,
+    pub goes_on: u32,
+}
+
 /// `shared/corners.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]

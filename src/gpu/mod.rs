@@ -8,6 +8,7 @@ mod integral;
 pub mod layout;
 mod light;
 mod linked;
+mod lists;
 mod mesh;
 mod raycast;
 mod rays;

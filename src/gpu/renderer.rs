@@ -1,5 +1,8 @@
 //! Projected cells on the GPU: the passes of a frame, in order.
 
+mod blend;
+mod list;
+
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -9,6 +12,7 @@ use crate::gpu::device::{Gpu, Kernel, Resources};
 use crate::gpu::frame;
 use crate::gpu::layout;
 use crate::gpu::light::{self, Shading};
+use crate::gpu::lists::FragmentLists;
 use crate::gpu::mesh::TetRange;
 use crate::gpu::record::{Recorder, Work};
 use crate::gpu::scene::{self, GUARD, LONGEST_HAIR, SceneKernels, Spans, Variant};
@@ -19,7 +23,8 @@ use crate::gpu::target::Target;
 use crate::gpu::transfer::TransferBuffers;
 use crate::plan::near::{self, NearCut};
 use crate::renderer::{
-    BlendFormat, BufferSize, Frame, Method, Rendered, Renderer, SegmentIntegral, Settings, SortPlace, Stats,
+    BlendFormat, BufferSize, Frame, Method, OrderMethod, Rendered, Renderer, SegmentIntegral, Settings, SortPlace,
+    Stats,
 };
 use crate::scene::{EmissionModel, Projection, TransferFunction};
 use crate::tet::TetMesh;
@@ -50,6 +55,8 @@ pub struct GpuRenderer {
     scene: Option<SceneKernels>,
     target: Option<Target>,
     slabs: Slabs,
+    lists: Option<FragmentLists>,
+    most_turns: u32,
 }
 
 /// What a frame found out.
@@ -69,6 +76,8 @@ impl GpuRenderer {
             return Err(Error::Asked("this renderer projects cells: make a RayCaster to cast rays".into()));
         }
         let f16 = match settings.blend {
+            // Lists are composed in f32 on every device.
+            _ if settings.order == OrderMethod::PerPixel => false,
             BlendFormat::Auto => !gpu.blends_f32(),
             BlendFormat::F16 => true,
             BlendFormat::F32 if gpu.blends_f32() => false,
@@ -81,6 +90,7 @@ impl GpuRenderer {
         let store = Store::new(&gpu, &mesh, cover, sorts_on_host(&gpu, settings), 0, 0)?;
         let frame = gpu.uniform("frame", &[layout::Frame::default()]);
         let light = gpu.uniform("light", &[layout::Light::default()]);
+        let most_turns = FragmentLists::turns(&gpu);
         Ok(Self {
             gpu,
             mesh,
@@ -93,7 +103,17 @@ impl GpuRenderer {
             scene: None,
             target: None,
             slabs: Slabs::default(),
+            lists: None,
+            most_turns,
         })
+    }
+
+    /// The same, leaving a pixel's list to the next dispatch after so many turns of loops: how short dispatches are tested
+    /// with short lists.
+    #[must_use]
+    pub fn leaving_lists_after(mut self, turns: u32) -> Self {
+        self.most_turns = turns;
+        self
     }
 
     /// The cells of the last frame, back to front, as the raster pass drew them. Pieces of cells that the near plane
@@ -161,7 +181,7 @@ impl GpuRenderer {
         let mut spans = None;
         // Spans are drawn by the exact integral.
         let exact = matches!(self.settings.integral, SegmentIntegral::Analytic | SegmentIntegral::Adaptive { .. });
-        let in_spans = in_spans && emission == EmissionModel::Weighted;
+        let in_spans = in_spans && emission == EmissionModel::Weighted && !self.lists_fragments();
         if curve && in_spans && exact && variant.shading.allows_spans() {
             let totals = self.band_totals()?;
             let pays = f64::from(totals.bands) > PAIRS_PAY * f64::from(totals.pairs);
@@ -241,7 +261,12 @@ impl GpuRenderer {
         self.gpu.queue.write_buffer(&self.light, 0, bytemuck::bytes_of(&light));
         let has_viewport = frame.size.iter().all(|&n| n <= self.gpu.device.limits().max_texture_dimension_2d / 2);
         let clipped = !has_viewport || pieces.is_some() || !frame::lies_within(frame, &self.mesh, GUARD, LONGEST_HAIR);
-        self.need_raster(clipped)?;
+        let mut lists = None;
+        if self.lists_fragments() {
+            lists = Some(self.need_lists(frame.size, clipped)?);
+        } else {
+            self.need_raster(clipped)?;
+        }
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let all = self.resources(&scene.transfer);
         let mut recorder = Recorder::new(&self.gpu, timed);
@@ -250,7 +275,13 @@ impl GpuRenderer {
         if let Some(p) = pieces {
             notes.push(format!("cells near the eye were cut: {} pieces of them are drawn instead", p.range.count));
         }
-        let passes = if self.f16 {
+        let passes = if let Some(lists) = &mut lists {
+            let cells = order.map_or(uniform.most_drawn, |order| order.len() as u32);
+            let (strips, passes) = self.list_and_compose(recorder, lists, clipped, cells)?;
+            let (fragments, strips) = (strips.iter().map(|s| s.listed).sum::<u64>(), strips.len());
+            notes.push(format!("{fragments} fragments were listed, in {strips} strips, and composed by their depths"));
+            passes
+        } else if self.f16 {
             let (slabs, passes) = self.raster_slabs(recorder, clipped, timed)?;
             self.slabs = slabs;
             let cells = order.map_or(u32::MAX, |order| order.len() as u32);
@@ -266,7 +297,23 @@ impl GpuRenderer {
         let kind = scene.transfer.describe(self.settings.integral, scene.spans.map(|s| s.paired));
         let pipelines = format!("{kind}; {} are drawn, and values interpolated {interpolation}", self.cover.describe());
         let stats = Stats { passes, notes, pipelines, adapter: self.gpu.describe(), ..Default::default() };
+        self.lists = lists;
         Ok(Drawn { stats, pieces })
+    }
+
+    /// Whether the picture is made of lists of fragments.
+    fn lists_fragments(&self) -> bool {
+        self.settings.order == OrderMethod::PerPixel
+    }
+
+    /// Makes the passes of this frame that list fragments, and takes the lists out, made for its size.
+    fn need_lists(&mut self, size: [u32; 2], clipped: bool) -> Result<FragmentLists> {
+        let scene = self.scene.as_mut().ok_or_else(unprepared)?;
+        scene.need_lists(&self.gpu, clipped)?;
+        match self.lists.take().filter(|lists| lists.are_of(size)) {
+            Some(lists) => Ok(lists),
+            None => FragmentLists::new(&self.gpu, size, self.most_turns),
+        }
     }
 
     /// Makes the raster passes of this frame: without the steps that deep cells take, where some draws have none.
@@ -306,178 +353,6 @@ impl GpuRenderer {
         }
         let cells = &self.store.cells;
         self.store.sorter.sort(gpu, recorder, &cells.counts, &cells.keys, &cells.order)
-    }
-
-    /// Projects and blends the sorted cells or spans (`order` where the host knows it, else `most` at most) in f32, chunk by
-    /// chunk, and finishes the picture.
-    fn raster(
-        &self,
-        recorder: &mut Recorder<'_>,
-        all: &Resources<'_>,
-        clipped: bool,
-        order: Option<&[u32]>,
-        most: u32,
-    ) -> Result<()> {
-        let scene = self.scene.as_ref().ok_or_else(unprepared)?;
-        let target = self.target.as_ref().ok_or_else(unprepared)?;
-        let (gpu, store) = (&self.gpu, &self.store);
-        let indices = self.cover.indices();
-        let all_deep = scene.spans.is_none_or(|spans| spans.deep);
-        let raster = |deep| scene.raster(clipped, deep).ok_or_else(unprepared);
-        // The variants bind alike.
-        let raster_groups = raster(all_deep)?.bind(gpu, all)?;
-        let mut load = EMPTY;
-        let most = order.map_or(most, |order| order.len() as u32);
-        for chunk in 0..most.max(1).div_ceil(store.chunk_cells) {
-            self.project_chunk(recorder, all, chunk)?;
-            let mut draw = |range: Option<std::ops::Range<u32>>, deep: bool| {
-                recorder.draw(raster(deep)?, &raster_groups, &[(&target.blended, load)], |pass| {
-                    self.set_viewport(pass, clipped);
-                    pass.set_index_buffer(store.indices.slice(..), wgpu::IndexFormat::Uint32);
-                    pass.set_vertex_buffer(0, store.cells.corners.slice(..));
-                    match range {
-                        Some(cells) => pass.draw_indexed(cells.start * indices..cells.end * indices, 0, 0..1),
-                        None => pass.draw_indexed_indirect(&store.cells.draws, u64::from(chunk) * 20),
-                    }
-                })?;
-                load = wgpu::LoadOp::Load;
-                Ok(())
-            };
-            match order {
-                None => draw(None, all_deep)?,
-                Some(order) => {
-                    let start = chunk * store.chunk_cells;
-                    let cells = store.chunk_cells.min(most - start);
-                    let at_once = if gpu.is_software() { SOFTWARE_DRAW } else { cells.max(1) };
-                    // Once at least: the first draw clears.
-                    for first in (0..cells.max(1)).step_by(at_once as usize) {
-                        let drawn = first..cells.min(first + at_once);
-                        let spans = &order[(start + drawn.start) as usize..(start + drawn.end) as usize];
-                        let deep =
-                            all_deep && (scene.spans.is_none() || spans.iter().any(|span| span & DEEP_SPAN != 0));
-                        draw(Some(drawn), deep)?;
-                    }
-                }
-            }
-        }
-        self.finish_picture(recorder, &target.blended)
-    }
-
-    /// A viewport beyond which outlines do not reach, where they are not to be clipped.
-    fn set_viewport(&self, pass: &mut wgpu::RenderPass<'_>, clipped: bool) {
-        if let (false, Some(target)) = (clipped, &self.target) {
-            let [width, height] = target.size.map(|n| n as f32);
-            let (scale, shift) = (GUARD as f32, 0.5 * (1.0 - GUARD as f32));
-            pass.set_viewport(shift * width, shift * height, scale * width, scale * height, 0.0, 1.0);
-        }
-    }
-
-    /// Makes the corners of one chunk's cells.
-    fn project_chunk(&self, recorder: &mut Recorder<'_>, all: &Resources<'_>, chunk: u32) -> Result<()> {
-        let corners = &self.scene.as_ref().ok_or_else(unprepared)?.corners;
-        let resources = all.clone().with("chunk", &self.store.chunks[chunk as usize]);
-        recorder.compute(corners, &corners.bind(&self.gpu, &resources)?, Work::Items(self.store.chunk_cells))
-    }
-
-    fn finish_picture(&self, recorder: &mut Recorder<'_>, composed: &wgpu::TextureView) -> Result<()> {
-        let scene = self.scene.as_ref().ok_or_else(unprepared)?;
-        let target = self.target.as_ref().ok_or_else(unprepared)?;
-        let textures =
-            self.resources(&scene.transfer).with_texture("blended", composed).with_texture("behind", composed);
-        let groups = scene.resolve.bind(&self.gpu, &textures)?;
-        recorder.draw(&scene.resolve, &groups, &[(&target.picture, ZERO)], |pass| pass.draw(0..3, 0..1))
-    }
-
-    /// The same in f16, slab by slab. Returns the slabs that held, and the passes' times of the last attempt.
-    fn raster_slabs(
-        &self,
-        mut recorder: Recorder<'_>,
-        clipped: bool,
-        timed: bool,
-    ) -> Result<(Slabs, Vec<crate::renderer::PassTime>)> {
-        recorder.submit();
-        let cells = sort::survivors(&self.gpu, &self.store.cells.counts)?;
-        let mut slabs = self.slabs.clone();
-        let mut before = recorder.finish()?;
-        loop {
-            let mut recorder = Recorder::new(&self.gpu, timed);
-            let layers = self.raster_slabs_once(&mut recorder, clipped, &slabs.ranges(cells))?;
-            let passes = recorder.finish()?;
-            let layers: Vec<u32> = match &layers {
-                Some(buffer) => self.gpu.map(buffer, buffer.size())?,
-                None => Vec::new(),
-            };
-            if !slabs.refine(cells, &layers) {
-                before.extend(passes);
-                return Ok((slabs, before));
-            }
-        }
-    }
-
-    /// Draws the slabs; returns a mappable buffer with the most layers of each (and padding).
-    fn raster_slabs_once(
-        &self,
-        recorder: &mut Recorder<'_>,
-        clipped: bool,
-        ranges: &[std::ops::Range<u32>],
-    ) -> Result<Option<wgpu::Buffer>> {
-        let scene = self.scene.as_ref().ok_or_else(unprepared)?;
-        let target = self.target.as_ref().ok_or_else(unprepared)?;
-        let (gpu, store) = (&self.gpu, &self.store);
-        let indices = self.cover.indices();
-        let (Some(kernels), Some(slab_target)) = (&scene.slabs, &target.slabs) else { return Err(unprepared()) };
-        let all = self.resources(&scene.transfer);
-        let deep = scene.spans.is_none_or(|spans| spans.deep);
-        let raster = scene.raster(clipped, deep).ok_or_else(unprepared)?;
-        let raster_groups = raster.bind(gpu, &all)?;
-        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
-        let most_layers = gpu.buffer("most_layers", 4, usage);
-        let mapped = (!ranges.is_empty()).then(|| {
-            let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
-            gpu.buffer("most_layers, mapped", ranges.len() as u64 * 4, usage)
-        });
-        let resolved = &slab_target.resolved;
-        recorder.draw(&scene.resolve, &[], &[(&resolved[0], EMPTY)], |_| {})?;
-        let mut projected = None;
-        for (slab, range) in ranges.iter().enumerate() {
-            let mut loads = [ZERO, ZERO];
-            let first_chunk = range.start / store.chunk_cells;
-            let last_chunk = (range.end - 1) / store.chunk_cells;
-            for chunk in first_chunk..=last_chunk {
-                if projected != Some(chunk) {
-                    self.project_chunk(recorder, &all, chunk)?;
-                    projected = Some(chunk);
-                }
-                let first = chunk * store.chunk_cells;
-                let start = range.start.max(first) - first;
-                let end = range.end.min(first + store.chunk_cells) - first;
-                let targets = [(&target.blended, loads[0]), (&slab_target.layers, loads[1])];
-                recorder.draw(raster, &raster_groups, &targets, |pass| {
-                    self.set_viewport(pass, clipped);
-                    pass.set_index_buffer(store.indices.slice(..), wgpu::IndexFormat::Uint32);
-                    pass.set_vertex_buffer(0, store.cells.corners.slice(..));
-                    pass.draw_indexed(start * indices..end * indices, 0, 0..1);
-                })?;
-                loads = [wgpu::LoadOp::Load; 2];
-            }
-            let (behind, front) = (&resolved[slab % 2], &resolved[1 - slab % 2]);
-            let textures = all
-                .clone()
-                .with_texture("layers", &slab_target.layers)
-                .with("most_layers", &most_layers)
-                .with_texture("blended", &target.blended)
-                .with_texture("behind", behind);
-            let pixels = target.size[0] * target.size[1];
-            recorder.compute(&kernels.layers, &kernels.layers.bind(gpu, &textures)?, Work::Items(pixels))?;
-            if let Some(mapped) = &mapped {
-                recorder.encoder().copy_buffer_to_buffer(&most_layers, 0, mapped, slab as u64 * 4, 4);
-                recorder.encoder().clear_buffer(&most_layers, 0, None);
-            }
-            let groups = kernels.resolve.bind(gpu, &textures)?;
-            recorder.draw(&kernels.resolve, &groups, &[(front, ZERO)], |pass| pass.draw(0..3, 0..1))?;
-        }
-        self.finish_picture(recorder, &resolved[ranges.len() % 2])?;
-        Ok(mapped)
     }
 
     /// The frame as shaders see it.
@@ -531,6 +406,7 @@ impl Renderer for GpuRenderer {
         stats.cells = self.cell_counts(pieces)?;
         let size = |(name, buffer): (&str, &wgpu::Buffer)| BufferSize { name: name.to_owned(), bytes: buffer.size() };
         stats.buffers = self.store.list().into_iter().map(size).collect();
+        stats.buffers.extend(self.lists.iter().flat_map(FragmentLists::sizes));
         let image = self.target.as_ref().ok_or_else(unprepared)?.read(&self.gpu)?;
         Ok(Rendered { image, stats })
     }

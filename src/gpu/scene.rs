@@ -43,12 +43,22 @@ pub struct SceneKernels {
     pub corners: Kernel,
     /// Draws a chunk.
     raster: [[Option<DrawKernel>; 2]; 2],
+    /// Counts and lists a chunk's fragments.
+    lists: [Option<ListKernels>; 2],
     /// Finishes the picture.
     pub resolve: DrawKernel,
     /// f16 only.
     pub slabs: Option<SlabKernels>,
     constants: Vec<(&'static str, f64)>,
     f16: bool,
+}
+
+/// What lists fragments.
+pub struct ListKernels {
+    /// Counts those of each pixel.
+    pub tally: DrawKernel,
+    /// Lists them.
+    pub list: DrawKernel,
 }
 
 /// What blending in slabs needs.
@@ -160,6 +170,7 @@ impl SceneKernels {
             corners: gpu.kernel(variant.cover.pass(), &constants)?,
             f16,
             raster: Default::default(),
+            lists: Default::default(),
             resolve: resolve(&constants)?,
             slabs: match f16 {
                 false => None,
@@ -190,13 +201,6 @@ impl SceneKernels {
         if self.raster(clipped, deep).is_some() {
             return Ok(());
         }
-        let (bivariate, in_spans) = (self.transfer.bivariate, self.spans.is_some());
-        let shaded = self.variant.shading.is_on();
-        let attributes = corner_attributes(bivariate, in_spans, shaded);
-        let array_stride = attributes.iter().map(|a| a.format.size()).sum();
-        let corners =
-            wgpu::VertexBufferLayout { array_stride, step_mode: wgpu::VertexStepMode::Vertex, attributes: &attributes };
-        let [vertex, fragment] = raster_entries(bivariate, in_spans, shaded, self.f16);
         let targets = if self.f16 {
             let count = wgpu::BlendState { color: ADD, alpha: ADD };
             vec![
@@ -206,14 +210,56 @@ impl SceneKernels {
         } else {
             vec![target(wgpu::TextureFormat::Rgba32Float, Some(BACK_TO_FRONT))]
         };
-        let module = Module::new("raster")?;
+        let kernel =
+            self.cell_kernel(gpu, "raster", if self.f16 { "_counted" } else { "" }, clipped, deep, &targets)?;
+        self.raster[usize::from(clipped)][usize::from(deep)] = Some(kernel);
+        Ok(())
+    }
+
+    /// Makes the passes that list fragments; `clipped`: outlines may leave the viewport.
+    ///
+    /// # Errors
+    /// A shader that does not compile.
+    pub fn need_lists(&mut self, gpu: &Gpu, clipped: bool) -> Result<()> {
+        if self.lists[usize::from(clipped)].is_none() {
+            let write_mask = wgpu::ColorWrites::empty();
+            let target = wgpu::ColorTargetState { format: wgpu::TextureFormat::Rgba32Float, blend: None, write_mask };
+            let kernel = |end: &str| {
+                self.cell_kernel(gpu, "listed", end, clipped, true, std::slice::from_ref(&Some(target.clone())))
+            };
+            let kernels = ListKernels { tally: kernel("fragment_tally")?, list: kernel("_listed")? };
+            self.lists[usize::from(clipped)] = Some(kernels);
+        }
+        Ok(())
+    }
+
+    /// The passes that list fragments, after [`Self::need_lists`].
+    pub fn lists(&self, clipped: bool) -> Option<&ListKernels> {
+        self.lists[usize::from(clipped)].as_ref()
+    }
+
+    /// A pass that draws cells; `ending`: of the fragment entry point, or all of its name.
+    fn cell_kernel(
+        &self,
+        gpu: &Gpu,
+        pass: &'static str,
+        ending: &str,
+        clipped: bool,
+        deep: bool,
+        targets: &[Option<wgpu::ColorTargetState>],
+    ) -> Result<DrawKernel> {
+        let (bivariate, in_spans) = (self.transfer.bivariate, self.spans.is_some());
+        let shaded = self.variant.shading.is_on();
+        let attributes = corner_attributes(bivariate, in_spans, shaded);
+        let array_stride = attributes.iter().map(|a| a.format.size()).sum();
+        let corners =
+            wgpu::VertexBufferLayout { array_stride, step_mode: wgpu::VertexStepMode::Vertex, attributes: &attributes };
+        let [vertex, fragment] = raster_entries(bivariate, in_spans, shaded, ending);
+        let module = Module::new(pass)?;
         let (module, scale) = if clipped { (module.in_perspective(), 1.0) } else { (module, 1.0 / GUARD) };
         let constants = [&self.constants[..], &[("CLIP_SCALE", scale), ("DEEP", f64::from(u8::from(deep)))]].concat();
         let entries = [vertex.as_str(), fragment.as_str()];
-        let culled = self.variant.cover.culled();
-        let kernel = gpu.draw_kernel(module, entries, &constants, &targets, &[Some(corners)], culled)?;
-        self.raster[usize::from(clipped)][usize::from(deep)] = Some(kernel);
-        Ok(())
+        gpu.draw_kernel(module, entries, &constants, targets, &[Some(corners)], self.variant.cover.culled())
     }
 
     /// The raster pass, after [`Self::need_raster`].
@@ -248,14 +294,15 @@ fn corner_attributes(bivariate: bool, in_spans: bool, shaded: bool) -> Vec<wgpu:
     formats.into_iter().map(attribute).collect()
 }
 
-/// Entry points of `raster`.
-fn raster_entries(bivariate: bool, in_spans: bool, shaded: bool, counted: bool) -> [String; 2] {
+/// Entry points of `raster` and `listed`; `ending`: of the fragment's, or all of its name.
+fn raster_entries(bivariate: bool, in_spans: bool, shaded: bool, ending: &str) -> [String; 2] {
     let kind = match (bivariate, in_spans) {
         (true, _) => "_bivariate",
         (false, true) => "_band",
         (false, false) => "",
     };
     let shaded = if shaded { "_shaded" } else { "" };
-    let counted = if counted { "_counted" } else { "" };
-    [format!("vertex{kind}{shaded}"), format!("fragment{kind}{shaded}{counted}")]
+    let fragment =
+        if ending.starts_with("fragment") { ending.to_owned() } else { format!("fragment{kind}{shaded}{ending}") };
+    [format!("vertex{kind}{shaded}"), fragment]
 }

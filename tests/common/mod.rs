@@ -9,6 +9,7 @@ pub mod integral_scene;
 pub mod meshes;
 pub mod npy;
 pub mod peer_scene;
+pub mod rainbow;
 pub mod random;
 
 use std::path::PathBuf;

@@ -1,0 +1,269 @@
+//! Fragments in lists, a pixel each, sorted by depth: visibility that does not rest on the order of cells. A picture's
+//! lists may not fit at once, so that it is made strip by strip; fragments are counted before any is listed, and none is
+//! lost.
+
+use crate::error::{Error, Result};
+use crate::gpu::device::{Gpu, Kernel, Resources};
+use crate::gpu::layout;
+use crate::renderer::BufferSize;
+
+/// Bytes of a listed fragment's colour; its depth and its rank are less.
+const COLOR_BYTES: u64 = 16;
+
+/// Bytes of a pixel's state (`compose.wgsl`).
+const STATE_BYTES: u64 = 32;
+
+/// Bytes of the states of a strip.
+const MOST_STATES: u64 = 64 << 20;
+
+/// Most fragments of a strip: 450 MiB in all.
+const MOST_LISTED: u64 = 1 << 24;
+
+/// lavapipe ends the loops of 8 pixels at once after 65,535 turns.
+const SOFTWARE_TURNS: u32 = 5_000;
+const HARDWARE_TURNS: u32 = 100_000;
+
+/// Pixels of a workgroup of `compose.wgsl`.
+pub const GROUP: u32 = 64;
+
+/// Buffers and kernels of the lists of a picture.
+pub struct FragmentLists {
+    /// Numbers the fragments of each row.
+    pub rows: Kernel,
+    /// Sorts and composes.
+    pub compose: Kernel,
+    /// [`layout::Strip`].
+    pub strip: wgpu::Buffer,
+    /// Counts, a word a pixel.
+    pub fragments: wgpu::Buffer,
+    /// Fragments of each row.
+    pub row_totals: wgpu::Buffer,
+    /// Pixels that are left to the next dispatch.
+    pub unfinished: wgpu::Buffer,
+    /// Fragments beyond those counted.
+    pub unlisted: wgpu::Buffer,
+    list_ends: wgpu::Buffer,
+    row_bases: wgpu::Buffer,
+    depths: wgpu::Buffer,
+    colors: wgpu::Buffer,
+    ranks: wgpu::Buffer,
+    states: wgpu::Buffer,
+    most_listed: u64,
+    /// Of the picture, pixels.
+    pub size: [u32; 2],
+}
+
+/// Pixels, row by row, whose lists fit at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Strip {
+    /// The first.
+    pub first: u32,
+    /// Behind the last.
+    pub end: u32,
+    /// Fragments before the first.
+    pub before: u64,
+    /// Fragments of the strip.
+    pub listed: u64,
+}
+
+impl Strip {
+    /// As shaders see it.
+    pub fn uniform(self) -> layout::Strip {
+        // Numbers of fragments wrap.
+        layout::Strip { first_pixel: self.first, end_pixel: self.end, base: self.before as u32, goes_on: 0 }
+    }
+
+    /// The first row that it has pixels of, and how many rows.
+    pub fn rows(self, width: u32) -> [u32; 2] {
+        let top = self.first / width;
+        [top, self.end.div_ceil(width) - top]
+    }
+}
+
+impl FragmentLists {
+    /// Turns of loops after which a dispatch leaves a pixel.
+    pub fn turns(gpu: &Gpu) -> u32 {
+        if gpu.is_software() { SOFTWARE_TURNS } else { HARDWARE_TURNS }
+    }
+
+    /// For pictures of one size; `turns`: after which a dispatch leaves a pixel.
+    ///
+    /// # Errors
+    /// A shader that does not compile; a picture whose pixels the device cannot count.
+    pub fn new(gpu: &Gpu, size: [u32; 2], turns: u32) -> Result<Self> {
+        let constants = [("MOST_TURNS", f64::from(turns))];
+        let pixels = u64::from(size[0]) * u64::from(size[1]);
+        if pixels * 4 > gpu.max_binding {
+            return Err(Error::Device(format!(
+                "'{}' binds {} MiB at once, too little for the lists of {pixels} pixels: render a smaller picture, or \
+                 with --order centroid",
+                gpu.info.name,
+                gpu.max_binding >> 20
+            )));
+        }
+        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
+        let buffer = |label, bytes| gpu.buffer(label, bytes, usage);
+        Ok(Self {
+            rows: gpu.kernel("list_rows", &[])?,
+            compose: gpu.kernel("compose", &constants)?,
+            strip: gpu.uniform("strip", &[layout::Strip::default()]),
+            fragments: buffer("fragments", pixels * 4),
+            row_totals: buffer("row_totals", u64::from(size[1]) * 4),
+            unfinished: buffer("unfinished", 4),
+            unlisted: buffer("unlisted", 4),
+            list_ends: buffer("list_ends", pixels * 4),
+            row_bases: buffer("row_bases", u64::from(size[1]) * 4),
+            depths: buffer("list_depths", 0),
+            colors: buffer("list_colors", 0),
+            ranks: buffer("list_ranks", 0),
+            states: buffer("list_states", 0),
+            most_listed: MOST_LISTED.min(gpu.max_binding / COLOR_BYTES),
+            size,
+        })
+    }
+
+    /// Whether the lists are of pictures of this size.
+    pub fn are_of(&self, size: [u32; 2]) -> bool {
+        self.size == size
+    }
+
+    /// Cuts the picture into strips, after the rows' fragments were numbered, and makes room for the largest.
+    ///
+    /// # Errors
+    /// A lost device; a pixel with more fragments than fit.
+    pub fn plan(&mut self, gpu: &Gpu) -> Result<Vec<Strip>> {
+        let totals: Vec<u32> = gpu.read(&self.row_totals, u64::from(self.size[1]) * 4)?;
+        let mut before = 0_u32;
+        let bases: Vec<u32> = totals
+            .iter()
+            .map(|&total| {
+                let base = before;
+                before = before.wrapping_add(total);
+                base
+            })
+            .collect();
+        gpu.write(&self.row_bases, 0, bytemuck::cast_slice(&bases));
+        let most_pixels = gpu.max_binding.min(MOST_STATES) / STATE_BYTES;
+        let width = self.size[0] as usize;
+        let ends = if totals.iter().any(|&total| u64::from(total) > self.most_listed) {
+            // Rare: a row that has to be cut.
+            gpu.read(&self.list_ends, self.fragments.size())?
+        } else {
+            Vec::new()
+        };
+        let ends_of = |row: usize| ends.get(row * width..(row + 1) * width).unwrap_or_default();
+        let strips = strips(&totals, ends_of, self.size[0], self.most_listed, most_pixels).ok_or_else(|| {
+            Error::Device(format!(
+                "a pixel has more fragments than the {} that fit a binding of '{}': render with --order centroid",
+                self.most_listed, gpu.info.name
+            ))
+        })?;
+        let listed = strips.iter().map(|s| s.listed).max().unwrap_or(0);
+        let pixels = strips.iter().map(|s| u64::from(s.end - s.first)).max().unwrap_or(0);
+        for (buffer, label, bytes) in [
+            (&mut self.depths, "list_depths", listed * 4),
+            (&mut self.colors, "list_colors", listed * COLOR_BYTES),
+            (&mut self.ranks, "list_ranks", listed * 8),
+            (&mut self.states, "list_states", pixels * STATE_BYTES),
+        ] {
+            if buffer.size() < bytes {
+                // What the next view needs is a little more, perhaps.
+                *buffer = gpu.buffer(label, (bytes + bytes / 4).min(gpu.max_binding), buffer.usage());
+            }
+        }
+        Ok(strips)
+    }
+
+    /// Adds what shaders bind.
+    pub fn offer<'a>(&'a self, resources: Resources<'a>) -> Resources<'a> {
+        self.list().into_iter().fold(resources.with("strip", &self.strip), |r, (name, buffer)| r.with(name, buffer))
+    }
+
+    fn list(&self) -> [(&'static str, &wgpu::Buffer); 10] {
+        [
+            ("fragments", &self.fragments),
+            ("row_totals", &self.row_totals),
+            ("unfinished", &self.unfinished),
+            ("unlisted", &self.unlisted),
+            ("list_ends", &self.list_ends),
+            ("row_bases", &self.row_bases),
+            ("list_depths", &self.depths),
+            ("list_colors", &self.colors),
+            ("list_ranks", &self.ranks),
+            ("list_states", &self.states),
+        ]
+    }
+
+    /// Labels and sizes, for the report.
+    pub fn sizes(&self) -> impl Iterator<Item = BufferSize> {
+        self.list().into_iter().map(|(name, buffer)| BufferSize { name: name.to_owned(), bytes: buffer.size() })
+    }
+}
+
+/// Rows, one behind the other, as long as they fit; rows that do not are cut, given where the lists of their pixels end.
+/// `None` where a pixel's list does not fit.
+fn strips<'a>(
+    totals: &[u32],
+    ends_of: impl Fn(usize) -> &'a [u32],
+    width: u32,
+    most_listed: u64,
+    most_pixels: u64,
+) -> Option<Vec<Strip>> {
+    let mut strips = Vec::new();
+    let mut open = Strip { first: 0, end: 0, before: 0, listed: 0 };
+    // Adds pixels to the open strip, or begins another one.
+    let mut add = |pixels: u32, listed: u64| {
+        let fits = open.listed + listed <= most_listed && u64::from(open.end - open.first + pixels) <= most_pixels;
+        if !fits && open.end > open.first {
+            strips.push(open);
+            open = Strip { first: open.end, end: open.end, before: open.before + open.listed, listed: 0 };
+        }
+        open.end += pixels;
+        open.listed += listed;
+        // Alone in its strip, and still too much.
+        fits || (listed <= most_listed && u64::from(pixels) <= most_pixels)
+    };
+    for (row, &total) in totals.iter().enumerate() {
+        if u64::from(total) <= most_listed && u64::from(width) <= most_pixels {
+            add(width, total.into());
+        } else {
+            let mut before = 0;
+            for &end in ends_of(row) {
+                if !add(1, (end - before).into()) {
+                    return None;
+                }
+                before = end;
+            }
+        }
+    }
+    if open.end > open.first {
+        strips.push(open);
+    }
+    Some(strips)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Strips of rows whose pixels' lists have these lengths.
+    fn of(rows: &[[u32; 3]], most_listed: u64, most_pixels: u64) -> Option<Vec<[u64; 4]>> {
+        let totals: Vec<u32> = rows.iter().map(|row| row.iter().sum()).collect();
+        let sum = |row: &[u32; 3]| [row[0], row[0] + row[1], row[0] + row[1] + row[2]];
+        let ends: Vec<[u32; 3]> = rows.iter().map(sum).collect();
+        let strips = strips(&totals, |row| &ends[row][..], 3, most_listed, most_pixels)?;
+        Some(strips.iter().map(|s| [s.first.into(), s.end.into(), s.before, s.listed]).collect())
+    }
+
+    #[test]
+    fn strips_take_every_pixel_once_and_fit() {
+        let rows = [[1, 2, 3], [4, 0, 0], [0, 0, 0], [9, 9, 9], [1, 1, 1]];
+        assert_eq!(of(&rows, 100, 100), Some(vec![[0, 15, 0, 40]]));
+        assert_eq!(of(&rows, 30, 100), Some(vec![[0, 9, 0, 10], [9, 15, 10, 30]]));
+        assert_eq!(of(&rows, 30, 8), Some(vec![[0, 6, 0, 10], [6, 12, 10, 27], [12, 15, 37, 3]]));
+        // The fourth row is cut.
+        assert_eq!(of(&rows, 19, 100), Some(vec![[0, 10, 0, 19], [10, 12, 19, 18], [12, 15, 37, 3]]));
+        assert_eq!(of(&rows, 8, 100), None);
+        assert_eq!(of(&[[0, 0, 0]; 2], 8, 100), Some(vec![[0, 6, 0, 0]]));
+    }
+}

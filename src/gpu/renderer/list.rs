@@ -1,0 +1,93 @@
+//! Cells in any order: fragments listed, sorted and composed pixel by pixel.
+
+use super::{GpuRenderer, unprepared};
+use crate::error::{Error, Result};
+use crate::gpu::device::DrawKernel;
+use crate::gpu::lists::{self, FragmentLists, Strip};
+use crate::gpu::record::{Recorder, Work};
+use crate::renderer::PassTime;
+
+impl GpuRenderer {
+    /// Counts the sorted cells' fragments, `most` cells at most, and lists and composes them strip by strip. Returns the strips
+    /// and the passes' times.
+    pub(super) fn list_and_compose(
+        &self,
+        mut recorder: Recorder<'_>,
+        lists: &mut FragmentLists,
+        clipped: bool,
+        most: u32,
+    ) -> Result<(Vec<Strip>, Vec<PassTime>)> {
+        let scene = self.scene.as_ref().ok_or_else(unprepared)?;
+        let kernels = scene.lists(clipped).ok_or_else(unprepared)?;
+        let gpu = &self.gpu;
+        recorder.encoder().clear_buffer(&lists.fragments, 0, None);
+        recorder.encoder().clear_buffer(&lists.unlisted, 0, None);
+        self.draw_listed(&mut recorder, lists, (&kernels.tally, clipped), most, None)?;
+        let resources = self.resources(&scene.transfer);
+        let all = lists.offer(resources.clone());
+        recorder.compute(&lists.rows, &lists.rows.bind(gpu, &all)?, Work::Groups(lists.size[1]))?;
+        recorder.submit();
+        let strips = lists.plan(gpu)?;
+        let target = self.target.as_ref().ok_or_else(unprepared)?;
+        let all = lists.offer(resources).with_texture("picture", &target.picture);
+        let compose = lists.compose.bind(gpu, &all)?;
+        recorder.encoder().clear_buffer(&lists.fragments, 0, None);
+        for &strip in &strips {
+            let mut uniform = strip.uniform();
+            gpu.queue.write_buffer(&lists.strip, 0, bytemuck::bytes_of(&uniform));
+            self.draw_listed(&mut recorder, lists, (&kernels.list, clipped), most, Some(strip))?;
+            loop {
+                recorder.encoder().clear_buffer(&lists.unfinished, 0, None);
+                let groups = (strip.end - strip.first).div_ceil(lists::GROUP);
+                recorder.compute(&lists.compose, &compose, Work::Groups(groups))?;
+                recorder.submit();
+                let unfinished: Vec<u32> = gpu.read(&lists.unfinished, 4)?;
+                if unfinished == [0] {
+                    break;
+                }
+                uniform.goes_on = 1;
+                gpu.queue.write_buffer(&lists.strip, 0, bytemuck::bytes_of(&uniform));
+            }
+        }
+        let unlisted: Vec<u32> = gpu.read(&lists.unlisted, 4)?;
+        if unlisted != [0] {
+            let text = format!("internal: {unlisted:?} fragments were drawn that had not been counted");
+            return Err(Error::Device(text));
+        }
+        Ok((strips, recorder.finish()?))
+    }
+
+    /// Draws all chunks by a pass that counts or lists fragments: all, or those of a strip.
+    pub(super) fn draw_listed(
+        &self,
+        recorder: &mut Recorder<'_>,
+        lists: &FragmentLists,
+        (kernel, clipped): (&DrawKernel, bool),
+        most: u32,
+        strip: Option<Strip>,
+    ) -> Result<()> {
+        let scene = self.scene.as_ref().ok_or_else(unprepared)?;
+        let target = self.target.as_ref().ok_or_else(unprepared)?;
+        let store = &self.store;
+        let all = lists.offer(self.resources(&scene.transfer));
+        let groups = kernel.bind(&self.gpu, &all)?;
+        let chunks = most.max(1).div_ceil(store.chunk_cells);
+        for chunk in 0..chunks {
+            // Corners of a single chunk stay.
+            if strip.is_none() || chunks > 1 {
+                self.project_chunk(recorder, &all, chunk)?;
+            }
+            recorder.draw(kernel, &groups, &[(&target.blended, wgpu::LoadOp::Load)], |pass| {
+                self.set_viewport(pass, clipped);
+                if let Some(strip) = strip {
+                    let [top, height] = strip.rows(lists.size[0]);
+                    pass.set_scissor_rect(0, top, lists.size[0], height);
+                }
+                pass.set_index_buffer(store.indices.slice(..), wgpu::IndexFormat::Uint32);
+                pass.set_vertex_buffer(0, store.cells.corners.slice(..));
+                pass.draw_indexed_indirect(&store.cells.draws, u64::from(chunk) * 20);
+            })?;
+        }
+        Ok(())
+    }
+}

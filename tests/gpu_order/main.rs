@@ -1,0 +1,8 @@
+//! Pictures of strongly varying colour: the orders of cells against the oracle, which knows none.
+
+#![expect(clippy::print_stdout, reason = "what was measured, for `--nocapture`")]
+
+#[path = "../common/mod.rs"]
+mod common;
+mod per_pixel;
+mod scenes;
