@@ -137,8 +137,7 @@ impl LinkedBuffers {
         }
         for (i, some) in mesh.cells.chunks(CELLS_AT_ONCE).enumerate() {
             let values: Vec<[T; 4]> = some.par_iter().map(|cell| cell.vertices.map(&value)).collect();
-            let flat: Vec<T> = values.into_iter().flatten().collect();
-            gpu.write(buffer, (i * CELLS_AT_ONCE * 4 * size_of::<T>()) as u64, bytemuck::cast_slice(&flat));
+            gpu.write(buffer, (i * CELLS_AT_ONCE * 4 * size_of::<T>()) as u64, bytemuck::cast_slice(&values));
         }
     }
 

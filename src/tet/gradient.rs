@@ -1,6 +1,6 @@
 //! Gradients of the scalar: exact in each cell, volume-weighted means at the vertices.
 
-use glam::DVec3;
+use glam::{DVec3, DVec4};
 use rayon::prelude::*;
 
 use super::geometry::six_volumes;
@@ -21,28 +21,31 @@ impl TetMesh {
     /// The mean of the gradients of the cells around each vertex, weighted by their volumes: data units per data
     /// length. Recomputed at every call; [`TetMesh::gradient_magnitude`] keeps the norms.
     pub fn vertex_gradients(&self) -> Vec<DVec3> {
+        self.of_vertex_gradients(|gradient| gradient)
+    }
+
+    /// The same of each gradient, in one go: memory that is new costs more than the arithmetic.
+    pub(super) fn of_vertex_gradients<T: Send>(&self, of: impl Fn(DVec3) -> T + Sync) -> Vec<T> {
         let run_length = self.tets.len().div_ceil(RUNS).max(1);
-        let runs: Vec<Vec<(DVec3, f64)>> =
+        let runs: Vec<Vec<[f64; 4]>> =
             self.tets.par_chunks(run_length).map(|tets| sum_at_vertices(self, tets)).collect();
-        (0..self.vertices.len())
-            .into_par_iter()
-            .map(|v| {
-                let (weighted, volume) =
-                    runs.iter().map(|run| run[v]).fold((DVec3::ZERO, 0.0), |s, r| (s.0 + r.0, s.1 + r.1));
-                weighted / volume / self.data_per_mesh
-            })
-            .collect()
+        let mean = |v| {
+            let sum = runs.iter().fold(DVec4::ZERO, |sum, run| sum + DVec4::from_array(run[v]));
+            of(sum.truncate() / sum.w / self.data_per_mesh)
+        };
+        (0..self.vertices.len()).into_par_iter().map(mean).collect()
     }
 }
 
-fn sum_at_vertices(mesh: &TetMesh, tets: &[[u32; 4]]) -> Vec<(DVec3, f64)> {
-    let mut sums = vec![(DVec3::ZERO, 0.0); mesh.vertices.len()];
+/// Weighted gradients and volumes. Plain numbers, so that they come zeroed from the system, which only makes the pages
+/// of vertices that are used.
+fn sum_at_vertices(mesh: &TetMesh, tets: &[[u32; 4]]) -> Vec<[f64; 4]> {
+    let mut sums = vec![[0.0; 4]; mesh.vertices.len()];
     for &tet in tets {
         let (weighted, volume) = weighted_gradient(mesh, tet);
         for v in tet {
             let sum = &mut sums[v as usize];
-            sum.0 += weighted;
-            sum.1 += volume;
+            *sum = (DVec4::from_array(*sum) + weighted.extend(volume)).to_array();
         }
     }
     sums
