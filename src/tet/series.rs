@@ -72,7 +72,8 @@ impl TetMesh {
 
     /// That no tetrahedron was turned over.
     fn check_orientation(&self) -> Result<()> {
-        let turned = |tet: &[u32; 4]| !is_positive(tet.map(|v| self.vertices[v as usize]));
+        let place = |v: u32| self.vertices[v as usize];
+        let turned = |&[a, b, c, d]: &[u32; 4]| !is_positive([place(a), place(b), place(c), place(d)]);
         let among = |(run, tets): (usize, &[[u32; 4]])| Some(run * AT_ONCE + tets.iter().position(turned)?);
         match self.tets.par_chunks(AT_ONCE).enumerate().find_map_first(among) {
             Some(tet) => Err(Error::Mesh(format!(
