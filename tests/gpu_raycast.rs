@@ -233,7 +233,7 @@ fn fields_and_places_are_replaced() {
             assert!(comparison.max < 1e-6, "{comparison}");
         }
         let mut fewer = TetMesh::clone(&mesh);
-        fewer.tets.pop();
+        Arc::make_mut(&mut fewer.tets).pop();
         let refusal = kept.replace(Arc::new(fewer)).expect_err("other tetrahedra").to_string();
         assert!(refusal.contains("other tetrahedra"), "{refusal}");
     }
