@@ -5,6 +5,8 @@
 
 mod common;
 
+use std::sync::Arc;
+
 use common::boxes::{box_mesh, chord};
 use common::delaunay;
 use common::random::Random;
@@ -69,7 +71,7 @@ fn hulls() -> [Hull; 3] {
         let center = tet.iter().map(|&v| shell.data_from_mesh(shell.vertices[v as usize])).sum::<DVec3>() / 4.0;
         center.cmpgt(hole[0]).all() && center.cmplt(hole[1]).all()
     };
-    shell.tets = tets.iter().copied().filter(|tet| !in_hole(tet)).collect();
+    shell.tets = Arc::new(tets.iter().copied().filter(|tet| !in_hole(tet)).collect());
     assert_eq!(tets.len() - shell.tets.len(), 6 * 64);
     let thin = DVec3::new(1.0, 0.003, 0.7);
     [
@@ -193,9 +195,9 @@ fn a_missing_cell_is_seen() {
                 mesh.gradient_magnitude.push(0.0);
                 mesh.vertices.len() as u32 - 1
             });
-            mesh.tets.push(own);
+            Arc::make_mut(&mut mesh.tets).push(own);
         } else {
-            mesh.tets.swap_remove(largest);
+            Arc::make_mut(&mut mesh.tets).swap_remove(largest);
         }
         let cells = LinkedMesh::new(&mesh);
         let mut random = Random(1);

@@ -98,7 +98,7 @@ fn a_single_cell_is_whole_from_all_sides() {
     let both = box_mesh(1, DVec3::splat(-1.0), DVec3::splat(1.0), |p| [p.x + 0.3 * p.y, 0.0]);
     let transfer = TransferFunction::Widgets(vec![Widget::new(WidgetShape::Uniform, [1.0, 0.5, 0.2], 1.0)]);
     for tet in [both.tets[0], both.tets[3]] {
-        let mesh = Arc::new(TetMesh { tets: vec![tet], ..both.clone() });
+        let mesh = Arc::new(TetMesh { tets: Arc::new(vec![tet]), ..both.clone() });
         let mut renderers = gpu::PROJECTIONS.map(|method| gpu::renderer(&mesh, by(method)));
         for i in 0..40 {
             let angle = 0.37 + 0.7 * f64::from(i);

@@ -233,7 +233,7 @@ fn fields_and_places_are_replaced() {
             assert!(comparison.max < 1e-6, "{comparison}");
         }
         let mut fewer = TetMesh::clone(&mesh);
-        fewer.tets.pop();
+        Arc::make_mut(&mut fewer.tets).pop();
         let refusal = kept.replace(Arc::new(fewer)).expect_err("other tetrahedra").to_string();
         assert!(refusal.contains("other tetrahedra"), "{refusal}");
     }
@@ -309,7 +309,7 @@ fn hulls() -> [Hull; 4] {
         })
         .collect();
     assert!(kept.len() < holed.tets.len());
-    holed.tets = kept;
+    holed.tets = Arc::new(kept);
     let random = delaunay::cube(1_500, 40, 8, 7, |p| [p.x, 0.0]);
     // Cells of 1e-2 at coordinates of 1e6.
     let far = [DVec3::new(1e6, -2e6, 3e6), DVec3::new(1e6 + 0.125, -2e6 + 0.125, 3e6 + 0.125)];
@@ -399,7 +399,8 @@ fn rays_pass_the_hulls_chord() {
 fn a_missing_cell_is_seen() {
     let hull = &hulls()[2];
     let mut mesh = TetMesh::clone(&hull.mesh);
-    mesh.tets.swap_remove(mesh.tets.len() / 2);
+    let middle = mesh.tets.len() / 2;
+    Arc::make_mut(&mut mesh.tets).swap_remove(middle);
     let (errors, ..) = cast_lengths(hull, &Arc::new(mesh));
     let bad = errors.iter().filter(|&&error| error > 1e-3).count();
     println!("{bad} rays differ");

@@ -50,7 +50,7 @@ fn camera(mesh: &TetMesh, from: DVec3, perspective: bool) -> Camera {
 /// The first `count` cells of a jittered box.
 fn first_cells(count: usize) -> Arc<TetMesh> {
     let mut mesh = Arc::unwrap_or_clone(meshes::sample(Sample::Tangle, count.max(600)));
-    mesh.tets.truncate(count);
+    Arc::make_mut(&mut mesh.tets).truncate(count);
     Arc::new(mesh)
 }
 

@@ -186,7 +186,7 @@ fn a_missing_cell_is_seen() {
             center.distance(DVec3::splat(0.92))
         };
         let cell = (0..mesh.tets.len()).min_by(|&i, &j| distance(&mesh.tets[i]).total_cmp(&distance(&mesh.tets[j])));
-        mesh.tets.swap_remove(cell.expect("cells"));
+        Arc::make_mut(&mut mesh.tets).swap_remove(cell.expect("cells"));
         let mut renderer = gpu::renderer(&Arc::new(mesh), gpu::by(Method::Project));
         for depth in DEPTHS {
             let mut total = Total::default();

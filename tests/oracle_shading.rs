@@ -150,7 +150,7 @@ fn opacity_silhouettes_scale_what_each_cell_comes_to() {
     let whole = mesh(1);
     let mut seen = 0;
     for index in 0..whole.tets.len() {
-        let one = TetMesh { tets: vec![whole.tets[index]], ..whole.clone() };
+        let one = TetMesh { tets: Arc::new(vec![whole.tets[index]]), ..whole.clone() };
         let oracle = Oracle::new(Arc::new(one));
         let transfer = transfer(EXTINCTION);
         for camera in cameras() {

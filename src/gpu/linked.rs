@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::gpu::device::{Gpu, Resources};
 use crate::gpu::mesh::relative_gradients;
 use crate::renderer::CellLayout;
-use crate::tet::{LinkedMesh, TetMesh};
+use crate::tet::{Cell, LinkedMesh, TetMesh};
 
 /// Parts in which links and ids can be bound (`shared/linked.wgsl`).
 const LINKS: [&str; 4] = ["links_a", "links_b", "links_c", "links_d"];
@@ -46,8 +46,8 @@ impl LinkedBuffers {
         let (cells, vertices) = (mesh.cells.len() as u64, mesh.vertices.len() as u64);
         let layout = choose(gpu, cells, vertices, wanted)?;
         let part_cells = (gpu.max_binding / 16).min(MOST_CELLS) as u32;
-        let parts = |label: &str, words: fn(&crate::tet::Cell) -> [u32; 4]| -> Vec<wgpu::Buffer> {
-            let part = |part: &[crate::tet::Cell]| {
+        let parts = |label: &str, words: fn(&Cell) -> [u32; 4]| -> Vec<wgpu::Buffer> {
+            let part = |part: &[Cell]| {
                 let buffer = storage(gpu, label, part.len() as u64 * 16);
                 for (i, some) in part.chunks(CELLS_AT_ONCE).enumerate() {
                     let words: Vec<[u32; 4]> = some.par_iter().map(words).collect();
@@ -136,9 +136,12 @@ impl LinkedBuffers {
             return;
         }
         for (i, some) in mesh.cells.chunks(CELLS_AT_ONCE).enumerate() {
-            let values: Vec<[T; 4]> = some.par_iter().map(|cell| cell.vertices.map(&value)).collect();
-            let flat: Vec<T> = values.into_iter().flatten().collect();
-            gpu.write(buffer, (i * CELLS_AT_ONCE * 4 * size_of::<T>()) as u64, bytemuck::cast_slice(&flat));
+            let of_corners = |cell: &Cell| {
+                let [a, b, c, d] = cell.vertices;
+                [value(a), value(b), value(c), value(d)]
+            };
+            let values: Vec<[T; 4]> = some.par_iter().map(of_corners).collect();
+            gpu.write(buffer, (i * CELLS_AT_ONCE * 4 * size_of::<T>()) as u64, bytemuck::cast_slice(&values));
         }
     }
 

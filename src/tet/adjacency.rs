@@ -83,7 +83,7 @@ fn sorted_face(tet: [u32; 4], face: usize) -> [u32; 3] {
 /// All faces, in buckets by their smallest vertex; bucket `v` is `starts[v]..starts[v + 1]`.
 fn faces_by_smallest_vertex(mesh: &TetMesh) -> (Vec<usize>, Vec<FaceEntry>) {
     let mut starts = vec![0_usize; mesh.vertices.len() + 2];
-    for &tet in &mesh.tets {
+    for &tet in mesh.tets.iter() {
         for face in 0..4 {
             starts[sorted_face(tet, face)[0] as usize + 2] += 1;
         }

@@ -1,5 +1,7 @@
 //! From what the file said to a [`TetMesh`]: every promise of that type is made true here.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -289,7 +291,7 @@ fn compact(cut: Cut, points: &[DVec3], merged_into: &[u32], field: Field, census
         vertices: kept.iter().map(|&i| frame.mesh_from_data(points[i])).collect(),
         center_in_data: frame.center,
         data_per_mesh: frame.data_per_mesh,
-        tets,
+        tets: Arc::new(tets),
         scalar: kept.iter().map(|&i| field.values[i]).collect(),
         gradient_magnitude: Vec::new(),
         field: field.name,

@@ -1,6 +1,7 @@
 //! The cells of a topology, checked, one after another or in parallel chunks.
 
 use glam::DVec3;
+use rayon::prelude::*;
 
 use super::census::Tally;
 use super::weld::first_at_place;
@@ -35,17 +36,20 @@ impl<'a> Cells<'a> {
         let mut starts = Vec::new();
         match topology {
             Topology::Cells { kinds, nodes } => {
+                let named = |kinds: &[CellKind]| kinds.iter().map(|kind| kind.node_count()).sum::<usize>();
                 let mut at = 0;
-                for (i, kind) in kinds.iter().enumerate() {
-                    if i % CHUNK == 0 {
-                        starts.push(at);
-                    }
-                    at += kind.node_count();
+                for count in kinds.par_chunks(CHUNK).map(named).collect::<Vec<_>>() {
+                    starts.push(at);
+                    at += count;
                 }
                 if at != nodes.len() {
                     return Err(Error::Mesh(format!("the cells need {at} nodes and {} are given", nodes.len())));
                 }
-                if let Some(i) = nodes.iter().position(|&n| n as usize >= point_count) {
+                let highest = |nodes: &[u32]| nodes.iter().fold(0, |highest, &n| n.max(highest));
+                let is_beyond = |n: u32| n as usize >= point_count;
+                if nodes.par_chunks(CHUNK).any(|nodes| is_beyond(highest(nodes)))
+                    && let Some(i) = nodes.iter().position(|&n| is_beyond(n))
+                {
                     return Err(Error::Mesh(format!(
                         "a cell names point {} (entry {i} of the cells' nodes) and there are {point_count} points",
                         nodes[i]

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 /// Six times the signed volume: `(b - a) x (c - a) . (d - a)`.
+#[inline]
 pub(super) fn six_volumes([a, b, c, d]: [DVec3; 4]) -> f64 {
     (b - a).cross(c - a).dot(d - a)
 }
@@ -13,6 +14,7 @@ pub(super) fn six_volumes([a, b, c, d]: [DVec3; 4]) -> f64 {
 /// geometric predicates*, section 4.3): the determinant's rounding error is below `(7 + 56 e) e` times the sum of
 /// the absolute values of its terms, e = 2^-53. It scales with the tetrahedron itself, so slivers stay: a height of
 /// 1e-6 of the edges is 1e9 times above it. Exactly flat cells fall below it however they are turned.
+#[inline]
 pub(super) fn orientation([a, b, c, d]: [DVec3; 4]) -> i8 {
     let (u, v, w) = (b - a, c - a, d - a);
     let (uu, vv, ww) = (u.abs(), v.abs(), w.abs());
@@ -30,6 +32,7 @@ pub(super) fn orientation([a, b, c, d]: [DVec3; 4]) -> i8 {
 }
 
 /// True where the orientation is certain, and positive.
+#[inline]
 pub(crate) fn is_positive(corners: [DVec3; 4]) -> bool {
     orientation(corners) == 1
 }

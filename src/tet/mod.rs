@@ -19,6 +19,8 @@ mod split;
 mod topology;
 mod weld;
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 pub use self::adjacency::{Adjacency, FACES};
@@ -63,7 +65,8 @@ pub struct TetMesh {
     /// Length of a mesh-space unit in data units; a power of two.
     pub data_per_mesh: f64,
     /// Four vertices each, positively oriented: `(b - a) x (c - a) . (d - a) > 0`.
-    pub tets: Vec<[u32; 4]>,
+    /// Shared by the meshes of [`TetMesh::with_field`].
+    pub tets: Arc<Vec<[u32; 4]>>,
     /// The scalar at each vertex, data units.
     pub scalar: Vec<f64>,
     /// Norm of the volume-weighted mean of the adjacent cells' gradients, at each vertex (data units per data length).

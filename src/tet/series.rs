@@ -1,5 +1,7 @@
 //! The same tetrahedra with another field, or at another time.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -10,6 +12,9 @@ use super::{Census, TetMesh, is_positive};
 use crate::error::{Error, Result};
 use crate::mesh::Mesh;
 use crate::space::Bounds;
+
+/// Tetrahedra looked at between two looks at whether another core has found one.
+const AT_ONCE: usize = 1 << 12;
 
 impl TetMesh {
     /// These tetrahedra with the field and the points of another mesh: of the same file with another array, or of another
@@ -42,40 +47,35 @@ impl TetMesh {
                 field.name
             )));
         }
-        let scalar: Vec<f64> = kept.iter().map(|&i| field.values[i as usize]).collect();
+        let scalar: Vec<f64> = kept.par_iter().map(|&i| field.values[i as usize]).collect();
         if let Some(v) = scalar.iter().position(|s| !s.is_finite()) {
             return Err(Error::Mesh(format!(
                 "{:?} is not finite at point {}, where the mesh has tetrahedra: make them anew",
                 field.name, kept[v]
             )));
         }
-        let mut next = Self {
-            vertices: self.vertices.clone(),
-            // By far the largest: on all cores.
-            tets: self.tets.par_iter().copied().collect(),
+        let (frame, vertices) = placed(&points, kept)?;
+        let next = Self {
+            center_in_data: frame.center,
+            data_per_mesh: frame.data_per_mesh,
+            vertices,
+            tets: Arc::clone(&self.tets),
             scalar,
             gradient_magnitude: Vec::new(),
             field: field.name,
-            ..*self
         };
-        next.move_to(kept.par_iter().map(|&i| points[i as usize]).collect(), kept)?;
+        if next.vertices != self.vertices {
+            next.check_orientation()?;
+        }
         next.with_gradients(kept)
     }
 
-    /// Puts the vertices at other places, data space.
-    fn move_to(&mut self, places: Vec<DVec3>, points: &[u32]) -> Result<()> {
-        if let Some(v) = places.iter().position(|p| !p.is_finite()) {
-            return Err(Error::Mesh(format!("point {} lies at {}, which is no place", points[v], places[v])));
-        }
-        let frame = Frame::of(Bounds::of(places.iter().copied()))?;
-        (self.center_in_data, self.data_per_mesh) = (frame.center, frame.data_per_mesh);
-        let vertices: Vec<DVec3> = places.par_iter().map(|&p| frame.mesh_from_data(p)).collect();
-        if vertices == self.vertices {
-            return Ok(());
-        }
-        self.vertices = vertices;
-        let turned = |tet: &[u32; 4]| !is_positive(tet.map(|v| self.vertices[v as usize]));
-        match self.tets.par_iter().position_first(turned) {
+    /// That no tetrahedron was turned over.
+    fn check_orientation(&self) -> Result<()> {
+        let place = |v: u32| self.vertices[v as usize];
+        let turned = |&[a, b, c, d]: &[u32; 4]| !is_positive([place(a), place(b), place(c), place(d)]);
+        let among = |(run, tets): (usize, &[[u32; 4]])| Some(run * AT_ONCE + tets.iter().position(turned)?);
+        match self.tets.par_chunks(AT_ONCE).enumerate().find_map_first(among) {
             Some(tet) => Err(Error::Mesh(format!(
                 "the points' motion turned tetrahedron {tet} over, or flattened it: make tetrahedra anew"
             ))),
@@ -85,7 +85,7 @@ impl TetMesh {
 
     /// Computes the gradient magnitudes. `points`: the file's of each vertex.
     pub(super) fn with_gradients(mut self, points: &[u32]) -> Result<Self> {
-        self.gradient_magnitude = self.vertex_gradients().into_par_iter().map(DVec3::length).collect();
+        self.gradient_magnitude = self.of_vertex_gradients(DVec3::length);
         match self.gradient_magnitude.iter().position(|g| !g.is_finite()) {
             Some(v) => Err(Error::Mesh(format!(
                 "the gradient of {:?} is beyond f64 at point {}: the field's values are too large; change their unit",
@@ -94,4 +94,14 @@ impl TetMesh {
             None => Ok(self),
         }
     }
+}
+
+/// The vertices at the file's points, and the frame that this gives.
+fn placed(points: &[DVec3], kept: &[u32]) -> Result<(Frame, Vec<DVec3>)> {
+    let place = |&i: &u32| points[i as usize];
+    if let Some(i) = kept.iter().find(|&i| !place(i).is_finite()) {
+        return Err(Error::Mesh(format!("point {i} lies at {}, which is no place", place(i))));
+    }
+    let frame = Frame::of(Bounds::of(kept.iter().map(place)))?;
+    Ok((frame, kept.par_iter().map(|i| frame.mesh_from_data(place(i))).collect()))
 }

@@ -324,7 +324,7 @@ fn a_gap_before_the_near_plane_hides_nothing() {
         |tet: &[u32; 4]| tet.map(|v| mesh.data_from_mesh(mesh.vertices[v as usize]).x).iter().sum::<f64>() / 4.0;
     let kept: Vec<[u32; 4]> = mesh.tets.iter().copied().filter(|tet| !(1.0..1.25).contains(&middle(tet))).collect();
     assert!(kept.len() < mesh.tets.len());
-    mesh.tets = kept;
+    mesh.tets = Arc::new(kept);
     let mesh = Arc::new(mesh);
     let transfer = Axes::of(&mesh).curve(&[(0.0, GOLD, 3.0), (1.0, BLUE, 6.0)]);
     let camera = Camera {
@@ -369,7 +369,7 @@ fn overlaps_are_found_where_they_are() {
         folded.gradient_magnitude.push(0.5);
         folded.vertices.len() as u32 - 1
     });
-    folded.tets.push(own);
+    Arc::make_mut(&mut folded.tets).push(own);
     let overlaps = |mesh: TetMesh| {
         let mesh = Arc::new(mesh);
         let transfer = Axes::of(&mesh).curve(&[(0.0, GOLD, 1.0)]);

@@ -151,7 +151,7 @@ fn a_missing_cell_is_seen() {
             center.distance(DVec3::splat(0.9))
         };
         let cell = (0..mesh.tets.len()).min_by(|&i, &j| distance(&mesh.tets[i]).total_cmp(&distance(&mesh.tets[j])));
-        holed.tets.swap_remove(cell.expect("cells"));
+        Arc::make_mut(&mut holed.tets).swap_remove(cell.expect("cells"));
         let mut renderer = engine(&Arc::new(holed), Settings::default());
         for depth in DEPTHS {
             let cameras = cameras(Place::Outside, &mesh, 12);

@@ -175,7 +175,7 @@ impl Explainer<'_> {
             let pick = |values: &[f64]| tet.map(|v| values[v as usize]).to_vec();
             let alone = TetMesh {
                 vertices: tet.map(|v| mesh.vertices[v as usize]).to_vec(),
-                tets: vec![[0, 1, 2, 3]],
+                tets: Arc::new(vec![[0, 1, 2, 3]]),
                 scalar: pick(&mesh.scalar),
                 gradient_magnitude: pick(&mesh.gradient_magnitude),
                 field: String::new(),

@@ -52,7 +52,7 @@ pub fn tet_mesh(points: &[DVec3], tets: Vec<[u32; 4]>, fields: impl Fn(DVec3) ->
         vertices: points.iter().map(|&p| (p - center_in_data) / data_per_mesh).collect(),
         center_in_data,
         data_per_mesh,
-        tets,
+        tets: tets.into(),
         scalar: fields.iter().map(|f| f[0]).collect(),
         gradient_magnitude: fields.iter().map(|f| f[1]).collect(),
         field: "test".into(),

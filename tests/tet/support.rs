@@ -115,7 +115,7 @@ pub fn volume_in_data(mesh: &TetMesh) -> f64 {
 /// Faces that one tetrahedron alone, or more than two, hold, though they do not lie on a side of the mesh's box.
 pub fn unmatched_faces(mesh: &TetMesh) -> usize {
     let mut owners: HashMap<[u32; 3], usize> = HashMap::new();
-    for tet in &mesh.tets {
+    for tet in mesh.tets.iter() {
         for skip in 0..4 {
             let mut face: Vec<u32> = (0..4).filter(|&i| i != skip).map(|i| tet[i]).collect();
             face.sort_unstable();
