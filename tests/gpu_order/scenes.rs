@@ -42,7 +42,7 @@ pub fn mapped_delaunay(map: DMat3) -> Arc<TetMesh> {
     let places: Vec<DVec3> = mesh.vertices.iter().map(|&p| mesh.data_from_mesh(p)).collect();
     let mapped: Vec<DVec3> = places.iter().map(|&p| map * p).collect();
     // The field stays with the vertices.
-    Arc::new(TetMesh { scalar: mesh.scalar, ..tet_mesh(&mapped, mesh.tets, |_| [0.0, 0.0]) })
+    Arc::new(TetMesh { scalar: mesh.scalar, ..tet_mesh(&mapped, mesh.tets.to_vec(), |_| [0.0, 0.0]) })
 }
 
 /// A layer as of a boundary: cells twenty times as wide as high, askew.
@@ -86,7 +86,7 @@ pub fn cycle() -> Arc<TetMesh> {
         tets.push([first, first + 1, first + 2, first + 3]);
     }
     let mut mesh = tet_mesh(&points, tets, |p| [p.x - 0.3 * p.y + p.z, 0.0]);
-    for tet in &mut mesh.tets {
+    for tet in Arc::make_mut(&mut mesh.tets) {
         let [a, b, c, d] = tet.map(|v| mesh.vertices[v as usize]);
         if (b - a).cross(c - a).dot(d - a) < 0.0 {
             tet.swap(2, 3);
