@@ -3,16 +3,25 @@
 //! | order | is right | costs |
 //! | --- | --- | --- |
 //! | [`centroid_depth`] | for nothing but fog: a fifth of all neighbours come out wrong | a sort |
+//! | [`PowerOrder`] | for convex regular meshes, Delaunay ones and their affine images; says so in a [`PowerCensus`] | a sort |
 //!
 //! [`VisibilityOrder::inversions`] tests any of them for one camera, [`sampled_inversions`] for many.
 
 mod centroid;
 mod face;
 mod inversions;
+mod lifting;
+mod metric;
+mod nearest;
+mod power;
+mod power_census;
 mod vantage;
 mod visibility;
 
 pub use self::centroid::centroid_depth;
 pub use self::inversions::{Inversions, sample_cameras, sampled_inversions};
+pub use self::metric::Metric;
+pub use self::power::PowerOrder;
+pub use self::power_census::{PowerCensus, Proof};
 pub use self::vantage::Vantage;
 pub use self::visibility::VisibilityOrder;
