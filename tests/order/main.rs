@@ -6,6 +6,9 @@
 mod common;
 
 mod census;
+mod gaps;
 mod permutation;
 mod power;
+mod real;
 mod support;
+mod walks;
