@@ -68,8 +68,8 @@ fn images_of_delaunay_meshes_are_in_order_by_their_own_metric() {
     }
 }
 
-/// All corners of a cube are on one sphere: its six cells have one key, which is wrong for many of them. There are metrics
-/// that tell them apart.
+/// All corners of a cube are on one sphere: its six cells have one key, which is wrong for many of them. There are
+/// metrics that tell them apart.
 #[test]
 fn lattices_have_no_ties_by_a_metric_that_is_found() {
     for n in [1, 2, 6] {
@@ -123,7 +123,7 @@ fn one_moved_point_is_found() {
 fn huge_circumspheres_do_not_matter() {
     let mut random = Random(3);
     for height in [1e-3, 1e-6, 1e-9, 1e-12] {
-        // d is over the triangle's plane and outside its circle, so that its sphere with a, b, c lies above, and e below.
+        // d is over the triangle's plane and outside its circle: its sphere with a, b, c lies above, and e below.
         let [a, b, c] = [DVec3::ZERO, DVec3::X, DVec3::new(0.4, 0.9, 0.0)];
         let (d, e) = (DVec3::new(1.1, 1.0, height), DVec3::new(0.5, 0.3, -1.0));
         let turn = DMat3::from_axis_angle(random.direction(), random.within(0.0, 3.0));

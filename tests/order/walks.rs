@@ -42,8 +42,8 @@ fn neighbors_are_in_order_where_there_are_no_circles() {
     }
 }
 
-/// Rings of six cells around an axis with a common corner, twisted as the blades of a shutter, and one in the middle: from the
-/// axis, each cell of a ring hides the next.
+/// Rings of six cells around an axis with a common corner, twisted as the blades of a shutter, and one in the middle:
+/// from the axis, each cell of a ring hides the next.
 fn shutter(rings: u32) -> TetMesh {
     let mut points = vec![DVec3::ZERO];
     for ring in 0..=rings {

@@ -34,7 +34,8 @@ impl Face {
         self.vertices.map(|v| mesh.vertices[v as usize])
     }
 
-    /// 1 where the eye sees the face from outside the cell, -1 where it is on the cell's side, 0 where it cannot be told.
+    /// 1 where the eye sees the face from outside the cell, -1 where it is on the cell's side, 0 where that cannot be
+    /// told.
     pub fn side(&self, mesh: &TetMesh, vantage: &Vantage) -> i8 {
         let side = vantage.side(self.corners(mesh));
         if self.turned { -side } else { side }

@@ -8,11 +8,12 @@ use crate::plan::lens::Lens;
 use crate::plan::order::sequence::Relation;
 use crate::tet::{FACES, TetMesh};
 
-/// Rows of pixels that are worked on at once: few enough to sort within a cache, many enough that few faces lie in several.
+/// Rows of pixels that are worked on at once: few enough to sort within a cache, many enough that few faces lie in
+/// several.
 const ROWS: u32 = 16;
 
-/// Depths that differ by less, relative to the larger of them and 1 (the mesh's radius), are the same: a ray that leaves
-/// one part where it enters another that touches it does so in this order.
+/// Depths that differ by less, relative to the larger of them and 1 (the mesh's radius), are the same: a ray that
+/// leaves one part where it enters another that touches it does so in this order.
 const SAME: f64 = 1e-12;
 
 /// Where a ray goes through the boundary.
@@ -25,8 +26,8 @@ struct Crossing {
     enters: bool,
 }
 
-/// All pairs of cells that a ray through a pixel's centre leaves and enters one after the other, with the mesh's open faces
-/// (cell and opposite corner). Sorted, each once.
+/// All pairs of cells that a ray through a pixel's centre leaves and enters one after the other, with the mesh's open
+/// faces (cell and opposite corner). Sorted, each once.
 pub(super) fn relations(mesh: &TetMesh, open_faces: &[(u32, usize)], lens: &Lens, size: [u32; 2]) -> Vec<Relation> {
     let corners = |&(tet, corner): &(u32, usize)| {
         FACES[corner].map(|i| lens.view(mesh.vertices[mesh.tets[tet as usize][i] as usize]))

@@ -8,7 +8,8 @@ use crate::plan::order::face::{Across, Face};
 use crate::plan::order::nearest::{Form, dot, nearest_to_origin};
 use crate::tet::{Adjacency, FACES, Finding, TetId, TetMesh, six_volumes};
 
-/// How far off a coordinate in mesh space is counted to be: the rounding that its making left, and that of the sums here.
+/// How far off a coordinate in mesh space is counted to be: the rounding that its making left, and that of the sums
+/// here.
 const ROUNDING: f64 = 4.0 * 0.5 * f64::EPSILON;
 /// Faces to begin with.
 const SAMPLE: usize = 32_768;

@@ -106,7 +106,8 @@ impl<'a> Arrows<'a> {
         (0..4).map(of_face).sum::<f64>() + self.pixel_extent * pixels.sum::<f64>()
     }
 
-    /// Walks depth first: a cell follows all that are behind it. Cells take constant time each, starts have to be sorted.
+    /// Walks depth first: a cell follows all that are behind it. Cells take constant time each, starts have to be
+    /// sorted.
     ///
     /// Meeting a cell that the walk is still behind closes a circle. Its least harmful pair is given up: the walk goes
     /// back to the cell in front, and comes again to what it had begun since. Once that has cost as much as

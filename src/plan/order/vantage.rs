@@ -29,7 +29,8 @@ impl Vantage {
         [self.point.x, self.point.y, self.point.z, if self.perspective { 1.0 } else { 0.0 }]
     }
 
-    /// 1 where a triangle is seen counter-clockwise, -1 where clockwise, 0 where its plane holds the eye within rounding.
+    /// 1 where a triangle is seen counter-clockwise, -1 where clockwise, 0 where its plane holds the eye within
+    /// rounding.
     pub(super) fn side(&self, [a, b, c]: [DVec3; 3]) -> i8 {
         determinant_sign([b - a, c - a, self.towards(a)])
     }
