@@ -6,8 +6,9 @@ use tetralux::scene::Camera;
 use tetralux::tet::{Adjacency, TetId, TetMesh};
 
 use crate::common::boxes::{box_mesh, tet_mesh};
+use crate::common::delaunay;
 use crate::common::random::Random;
-use crate::support::{count, delaunay, fields, mapped, moved};
+use crate::support::{count, delaunay as small_delaunay, fields, mapped, moved};
 
 fn power(mesh: &TetMesh) -> PowerOrder {
     PowerOrder::new(mesh, &Adjacency::new(mesh))
@@ -36,7 +37,7 @@ fn order_by_spheres(mesh: &TetMesh, camera: &Camera) -> VisibilityOrder {
 #[test]
 fn delaunay_meshes_are_in_order_for_every_eye() {
     for seed in 0..4 {
-        let mesh = delaunay(seed);
+        let mesh = small_delaunay(seed);
         let power = power(&mesh);
         assert!(power.census.is_exact() && power.census.metric.is_identity(), "{}", power.census);
         assert_eq!(count(&mesh, 60, |camera| power.order(&mesh, camera)).wrong, 0);
@@ -55,7 +56,7 @@ fn images_of_delaunay_meshes_are_in_order_by_their_own_metric() {
         let flat = DMat3::from_diagonal(DVec3::new(1.0, 3.0, 0.05));
         let shear = DMat3::from_cols(DVec3::X, random.in_cube() - 0.5 + DVec3::Y, random.in_cube() - 0.5 + DVec3::Z);
         let turn = DMat3::from_axis_angle(random.direction(), random.within(0.0, 3.0));
-        let mesh = mapped(&delaunay(seed), |p| turn * shear * flat * p + DVec3::new(1e3, -50.0, 7.0));
+        let mesh = mapped(&small_delaunay(seed), |p| turn * shear * flat * p + DVec3::new(1e3, -50.0, 7.0));
         let power = power(&mesh);
         assert!(power.census.is_exact() && !power.census.metric.is_identity(), "{}", power.census);
         assert_eq!(count(&mesh, 60, |camera| power.order(&mesh, camera)).wrong, 0);
@@ -65,6 +66,22 @@ fn images_of_delaunay_meshes_are_in_order_by_their_own_metric() {
         // Spheres of this space do not serve.
         let spheres = count(&mesh, 6, |camera| order_by_spheres(&mesh, camera));
         assert!(spheres.share() > 0.05, "{spheres:?}");
+    }
+}
+
+/// More faces than a metric is first made of: it is made to fit the others too, and comes out as it went in.
+#[test]
+fn metrics_fit_faces_beyond_the_sample() {
+    for (stretch, seed) in [(DVec3::new(1.0, 1.0, 0.125), 77), (DVec3::new(0.2, 1.0, 0.5), 78)] {
+        let mesh = mapped(&delaunay::cube(3000, 60, 10, seed, fields), |p| p * stretch);
+        let power = power(&mesh);
+        assert!(mesh.tets.len() > 20_000 && power.census.is_exact(), "{}", power.census);
+        let want = DMat3::from_diagonal(1.0 / (stretch * stretch));
+        let want = want * (3.0 / (want.x_axis.x + want.y_axis.y + want.z_axis.z));
+        let error =
+            (power.census.metric.matrix - want).to_cols_array().into_iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        assert!(error < 1e-2, "{error:e}");
+        assert_eq!(count(&mesh, 15, |camera| power.order(&mesh, camera)).wrong, 0);
     }
 }
 
@@ -88,7 +105,7 @@ fn lattices_have_no_ties_by_a_metric_that_is_found() {
 #[test]
 fn moved_meshes_are_not_promised_anything() {
     for seed in 0..4 {
-        let mesh = moved(&delaunay(seed), 0.05, 9);
+        let mesh = moved(&small_delaunay(seed), 0.05, 9);
         let power = power(&mesh);
         assert!(!power.census.is_exact() && power.census.not_convex.count > 100, "{}", power.census);
         assert!(power.census.to_string().contains("not exact"), "{}", power.census);
@@ -101,7 +118,7 @@ fn moved_meshes_are_not_promised_anything() {
 /// One point, moved so far that few faces are wrong, is found among all of them.
 #[test]
 fn one_moved_point_is_found() {
-    let mesh = delaunay(7);
+    let mesh = small_delaunay(7);
     let middle = mesh.vertices.iter().position(|v| v.length() < 0.1).expect("a point in the middle");
     let mut found = 0;
     for turn in 0..20 {

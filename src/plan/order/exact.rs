@@ -7,8 +7,8 @@ use crate::plan::order::{Sequenced, Vantage};
 use crate::scene::Camera;
 use crate::tet::{Adjacency, TetMesh};
 
-/// Right along the ray of every pixel's centre of a picture of this size, but for circles: after SXMPVO (Cook, Max, Silva
-/// & Williams 2004, *Image-space visibility ordering for cell projection volume rendering of unstructured data*).
+/// Right along the ray of every pixel's centre of a picture of this size, but for circles: after SXMPVO (Cook, Max,
+/// Silva & Williams 2004, *Image-space visibility ordering for cell projection volume rendering of unstructured data*).
 ///
 /// Along each ray, where it leaves one cell through the boundary and enters another, that one is behind. What lies
 /// outside the picture is ordered as by [`super::mpvonc`].

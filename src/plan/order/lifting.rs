@@ -15,7 +15,8 @@ const ROUNDING: f64 = 4.0 * 0.5 * f64::EPSILON;
 const SAMPLE: usize = 32_768;
 /// Faces that a round adds.
 const ADDED: usize = 4096;
-/// Rounds of finding a metric and looking for faces that it fails. Measured: 1 to 4.
+/// Rounds of finding a metric and looking for faces that it fails. Measured: 1 to 3 until none does, of 43,000
+/// faces half of which it began with.
 const MOST_ROUNDS: usize = 12;
 
 /// How the lifted faces meet.

@@ -7,7 +7,7 @@ pub(super) type Form = [f64; 6];
 const ZERO: f64 = 1e-13;
 /// The least of all products with the answer is at least this share of what it would be with the nearest point.
 const ENOUGH: f64 = 0.9;
-/// Measured: 10 to 60 steps for 30,000 points.
+/// Measured: 2 to 20 for up to 40,000 points, whether there is an answer or none.
 const MOST_STEPS: usize = 1000;
 
 /// A vector whose product with every one of the `points` (of length 1) is positive, and nearly as large as can be for

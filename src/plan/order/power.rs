@@ -11,9 +11,9 @@ use crate::tet::{Adjacency, Census, TetId, TetMesh};
 /// Crawfis 1990, *Area and volume coherence for efficient visualization of 3D scalar functions*).
 ///
 /// Lift every vertex v by `v . M v`, and let L be the affine function through a cell's lifted corners. The power of an
-/// eye e to the cell is `e . M e - L(e)`; the first term is common to all cells, so the key is `-L(e)`. Two neighbours' L
-/// agree on their face and, where the lifting is convex there, the larger one is on its own side: a larger key is behind.
-/// Cells with huge circumspheres are as good as others, as neither centre nor radius is formed.
+/// eye e to the cell is `e . M e - L(e)`; the first term is common to all cells, so the key is `-L(e)`. Two neighbours'
+/// L agree on their face and, where the lifting is convex there, the larger one is on its own side: a larger key is
+/// behind. Cells with huge circumspheres are as good as others, as neither centre nor radius is formed.
 #[derive(Clone, Debug)]
 pub struct PowerOrder {
     /// `-L` of every cell, mesh space: the key is the product with [`Vantage::homogeneous`], and larger is farther.
@@ -58,8 +58,8 @@ impl PowerOrder {
     }
 
     /// The rows in 32 bits, as shaders take them. Coordinates are centred and of order 1 already: measured, to take a
-    /// common affine function off, which changes no order, saves no digits. Of Delaunay meshes of 20,000 to 40,000 cells,
-    /// 3e-6 of all neighbours come out wrong.
+    /// common affine function off, which changes no order, saves no digits. Of Delaunay meshes of 20,000 to 40,000
+    /// cells, 3e-6 of all neighbours come out wrong.
     pub fn rows_f32(&self) -> Vec<[f32; 4]> {
         self.rows.par_iter().map(|row| row.map(|v| v as f32)).collect()
     }
