@@ -217,7 +217,7 @@ impl Triangle {
 }
 
 /// Bounding box in pixels (x from, to, y from, to) of what lies before the eye.
-fn pixel_box(corners: [DVec3; 3], lens: &Lens) -> Option<[f64; 4]> {
+pub(super) fn pixel_box(corners: [DVec3; 3], lens: &Lens) -> Option<[f64; 4]> {
     // Nearer to the eye than any number of f32 tells apart.
     const LEAST: f64 = 1e-12;
     let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);

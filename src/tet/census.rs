@@ -126,11 +126,11 @@ fn grouped(n: u64) -> String {
     text
 }
 
-pub(super) fn write_count(f: &mut fmt::Formatter<'_>, label: &str, count: u64) -> fmt::Result {
+pub(crate) fn write_count(f: &mut fmt::Formatter<'_>, label: &str, count: u64) -> fmt::Result {
     writeln!(f, "{label:<38}{:>14}", grouped(count))
 }
 
-pub(super) fn write_finding(f: &mut fmt::Formatter<'_>, label: &str, finding: &Finding) -> fmt::Result {
+pub(crate) fn write_finding(f: &mut fmt::Formatter<'_>, label: &str, finding: &Finding) -> fmt::Result {
     match &finding.first {
         Some(first) => writeln!(f, "{label:<38}{:>14}  first: {first}", grouped(finding.count)),
         None => write_count(f, label, finding.count),

@@ -1,4 +1,4 @@
-//! In which order cells are blended.
+//! Order by centroids: the cheapest, and often wrong.
 
 use rayon::prelude::*;
 

@@ -1,0 +1,67 @@
+//! What the power order of a mesh is good for.
+
+use std::fmt;
+
+use crate::plan::order::Metric;
+use crate::tet::{Finding, write_count, write_finding};
+
+/// Whether a mesh is regular: its cells the lower hull of its lifted vertices. Of a convex mesh every interior face has
+/// to be convex there, and then all of it is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PowerCensus {
+    /// The squared length by which vertices are lifted.
+    pub metric: Metric,
+    /// Faces between two cells that do not overlap.
+    pub interior_faces: u64,
+    /// Neighbours that overlap: neither is behind.
+    pub overlapping_pairs: u64,
+    /// Faces where the lifting is not convex: seen from one side or from both, the keys put the cell behind first.
+    pub not_convex: Finding,
+    /// Faces where it is flat, within f64 rounding of the vertices: keys are equal, which says nothing of the order.
+    pub ties: Finding,
+    /// The whole mesh is convex, as [`crate::tet::TopologyCensus::is_convex`] judges.
+    pub is_convex_mesh: bool,
+}
+
+/// What is known of an order beforehand, for every eye.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Proof {
+    /// It is right.
+    Order,
+    /// Neighbours are right; across gaps and dents nothing is known.
+    Neighbors,
+    /// Nothing: test it.
+    Nothing,
+}
+
+impl PowerCensus {
+    /// What it proves of the power order.
+    pub fn proof(&self) -> Proof {
+        match (self.not_convex.count + self.ties.count, self.is_convex_mesh) {
+            (0, true) => Proof::Order,
+            (0, false) => Proof::Neighbors,
+            _ => Proof::Nothing,
+        }
+    }
+
+    /// True where the power order is right for every eye.
+    pub fn is_exact(&self) -> bool {
+        self.proof() == Proof::Order
+    }
+}
+
+impl fmt::Display for PowerCensus {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{:<38}  {}", "metric of the power order", self.metric)?;
+        write_count(f, "interior faces", self.interior_faces)?;
+        write_count(f, "  of overlapping neighbours", self.overlapping_pairs)?;
+        write_finding(f, "  lifted: not convex", &self.not_convex)?;
+        write_finding(f, "  lifted: flat, no order", &self.ties)?;
+        let proof = match self.proof() {
+            Proof::Order => "exact",
+            Proof::Neighbors => "exact between neighbours; the mesh is not convex, so unknown across gaps",
+            Proof::Nothing => "not exact",
+        };
+        writeln!(f, "{:<38}  {proof}", "power order")
+    }
+}
