@@ -2,10 +2,12 @@
 
 mod integral;
 
+use std::fmt;
 use std::time::Duration;
 
 use crate::error::Result;
 use crate::image::Image;
+use crate::plan::order::Inversions;
 use crate::scene::{Camera, Optics, TransferFunction};
 use crate::tet::TetMesh;
 
@@ -29,11 +31,32 @@ pub enum Method {
 /// In which order cells are blended.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum OrderMethod {
-    /// View depth of the cell's centroid, back to front.
+    /// The cheapest that the function, the mesh and its census allow.
     #[default]
+    Auto,
+    /// View depth of the cell's centroid.
     Centroid,
+    /// Power of the eye to the cells of a regular mesh (Max, Hanrahan & Crawfis 1990): exact where the census says so.
+    Power,
+    /// Every cell after its neighbours behind it, on the host (Williams 1992): exact for convex meshes.
+    Mpvonc,
+    /// The same, and across gaps along the picture's rays, on the host (after Cook, Max, Silva & Williams 2004).
+    Exact,
     /// Each pixel's fragments by their own depth, whatever the order of cells: exact.
     PerPixel,
+}
+
+impl fmt::Display for OrderMethod {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Auto => "auto",
+            Self::Centroid => "centroid",
+            Self::Power => "power",
+            Self::Mpvonc => "mpvonc",
+            Self::Exact => "exact",
+            Self::PerPixel => "per-pixel",
+        })
+    }
 }
 
 /// Where the depth sort runs.
@@ -173,12 +196,16 @@ pub struct Stats {
     pub passes: Vec<PassTime>,
     /// Where rays were cast.
     pub rays: Option<RayCounts>,
+    /// Neighbours among the cells that were drawn, and those in the wrong order; unless passes were timed, not counted.
+    pub inversions: Option<Inversions>,
     /// Device buffers.
     pub buffers: Vec<BufferSize>,
     /// Adapter, driver and back end, or the CPU engine's name.
     pub adapter: String,
     /// What the pipelines were specialised for, one line; empty where nothing is compiled for a scene.
     pub pipelines: String,
+    /// The order of cells and why it was taken; empty where there is none.
+    pub order: String,
     /// Choices that the renderer made, one sentence each.
     pub notes: Vec<String>,
 }

@@ -153,6 +153,8 @@ impl CpuRenderer {
             passes: if timed { passes.map(pass).collect() } else { Vec::new() },
             buffers: sizes.map(|(name, bytes)| BufferSize { name: name.into(), bytes: bytes as u64 }).collect(),
             adapter: format!("CPU ({} threads, ray casting)", rayon::current_num_threads()),
+            order: "along each ray: exact".to_owned(),
+            inversions: None,
             notes: Vec::new(),
         }
     }

@@ -298,6 +298,8 @@ impl RayCaster {
             adapter: self.gpu.describe(),
             pipelines: format!("{kind}; cells are held in the {layout} layout"),
             rays: Some(RayCounts { steps: total(0), repaired: total(1), lost: total(2) }),
+            order: "along each ray: exact".to_owned(),
+            inversions: None,
             notes: Vec::new(),
         })
     }

@@ -45,7 +45,7 @@ fn pictures_are_exact_where_centroids_are_not() {
                     drawn.stats.notes
                 );
             }
-            let sorted = psnr(&truth, &mesh, Settings::default());
+            let sorted = psnr(&truth, &mesh, gpu::by_centroids());
             println!("{name}, camera {i}, by centroids: {sorted:.1} dB");
             assert!(
                 sorted < 80.0 || name == "tangle",
@@ -67,7 +67,7 @@ fn three_cells_in_a_cycle_hide_each_other() {
         truth.assert_drawn(&format!("cycle, {method:?}"), &mut gpu::renderer(&mesh, by(method)));
     }
     // Whatever the order of three cells, one pair is wrong.
-    let sorted = psnr(&truth, &mesh, Settings::default());
+    let sorted = psnr(&truth, &mesh, gpu::by_centroids());
     assert!(sorted < 40.0, "{sorted} dB");
 }
 

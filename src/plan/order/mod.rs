@@ -10,6 +10,7 @@
 //! [`VisibilityOrder::inversions`] tests any of them for one camera, [`sampled_inversions`] for many.
 
 mod centroid;
+mod choice;
 mod exact;
 mod face;
 mod gaps;
@@ -18,6 +19,7 @@ mod lifting;
 mod metric;
 mod mpvonc;
 mod nearest;
+mod pieces;
 mod power;
 mod power_census;
 mod sequence;
@@ -25,10 +27,12 @@ mod vantage;
 mod visibility;
 
 pub use self::centroid::centroid_depth;
+pub use self::choice::OrderChoice;
 pub use self::exact::exact;
 pub use self::inversions::{Inversions, sample_cameras, sampled_inversions};
 pub use self::metric::Metric;
 pub use self::mpvonc::mpvonc;
+pub use self::pieces::ranks_with_pieces;
 pub use self::power::PowerOrder;
 pub use self::power_census::{PowerCensus, Proof};
 pub use self::sequence::Sequenced;

@@ -1,0 +1,73 @@
+//! Which order a scene needs.
+
+use crate::plan::order::{PowerCensus, Proof};
+use crate::renderer::OrderMethod;
+use crate::scene::{EmissionModel, Optics, TransferFunction};
+
+/// Up to this optical depth, of the mesh's diagonal at the function's largest extinction, the order by centroids is taken.
+///
+/// Measured (docs/order.md): there, the worst pixel of the worst mesh errs by less than 1/512.
+const THIN: f64 = 0.5;
+
+/// An order, and why it was taken.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OrderChoice {
+    /// Never [`OrderMethod::Auto`].
+    pub method: OrderMethod,
+    /// For people.
+    pub why: String,
+}
+
+impl OrderChoice {
+    /// What was asked for; of `Auto` the cheapest that keeps pixels within 1/512. `diagonal`: of the mesh, data units;
+    /// `census` is asked only where it matters.
+    pub fn new<'a>(
+        asked: OrderMethod,
+        transfer: &TransferFunction,
+        optics: &Optics,
+        diagonal: f64,
+        census: impl Fn() -> &'a PowerCensus,
+    ) -> Self {
+        let of = |method, why: &str| Self { method, why: why.to_owned() };
+        match asked {
+            OrderMethod::Auto => {}
+            OrderMethod::Power => {
+                let why = match census().proof() {
+                    Proof::Order => "asked for; exact",
+                    Proof::Neighbors => "asked for; exact between neighbours, unknown across gaps",
+                    Proof::Nothing => "asked for; not exact for this mesh",
+                };
+                return of(asked, why);
+            }
+            other => return of(other, "asked for"),
+        }
+        if has_one_color(transfer, optics) {
+            return of(OrderMethod::Centroid, "all is of one colour, so that no order matters");
+        }
+        if largest_extinction(transfer) * diagonal <= THIN {
+            return of(OrderMethod::Centroid, "the function is so thin that the order hardly matters");
+        }
+        if census().is_exact() {
+            return of(OrderMethod::Power, "exact, as the mesh is regular and convex");
+        }
+        of(OrderMethod::PerPixel, "no order of cells is known to be right for this mesh")
+    }
+}
+
+/// Where a segment's colour is its opacity times one colour, segments may be exchanged.
+fn has_one_color(transfer: &TransferFunction, optics: &Optics) -> bool {
+    let plain = optics.emission == EmissionModel::Weighted && !optics.uses_gradients();
+    let colors: Vec<[f64; 3]> = match transfer {
+        TransferFunction::Curve(curve) => curve.nodes.iter().map(|node| node.color).collect(),
+        TransferFunction::Widgets(widgets) => widgets.iter().map(|widget| widget.color).collect(),
+    };
+    plain && colors.windows(2).all(|pair| pair[0] == pair[1])
+}
+
+/// At any point at most.
+fn largest_extinction(transfer: &TransferFunction) -> f64 {
+    match transfer {
+        TransferFunction::Curve(curve) => curve.nodes.iter().map(|node| node.extinction).fold(0.0, f64::max),
+        TransferFunction::Widgets(widgets) => widgets.iter().map(|widget| widget.extinction).sum(),
+    }
+}
