@@ -19,7 +19,7 @@ use tetralux::image::{Comparison, Image, PngEncoding};
 use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
 use tetralux::plan::order::centroid_depth;
-use tetralux::renderer::{Frame, Renderer as _, SegmentIntegral, Settings};
+use tetralux::renderer::{Frame, OrderMethod, Renderer as _, SegmentIntegral, Settings};
 use tetralux::scene::Scene;
 use tetralux::{Error, Result};
 
@@ -72,7 +72,7 @@ pub fn rows(scene: &str, integrals: &[&'static str], size: Option<[u32; 2]>) -> 
     let want = Oracle::new(Arc::clone(&mesh)).render_in_order(&frame, &keys)?;
     let row = |&name: &&'static str| {
         let integral: SegmentIntegral = name.parse()?;
-        let settings = Settings { integral, ..Settings::default() };
+        let settings = Settings { integral, order: OrderMethod::Centroid, ..Settings::default() };
         let mut renderer = GpuRenderer::new(Gpu::new(DeviceChoice::Any)?, Arc::clone(&mesh), settings)?;
         let got = renderer.render(&frame, false)?.image;
         let comparison = Comparison::new(&got, &want)?;

@@ -119,13 +119,13 @@ impl CpuRenderer {
         let binned = start.elapsed();
         let bivariate = scene.compiled.is_bivariate();
         let (image, counts) = match &scene.compiled {
-            Compiled::Curve(medium) => picture.cast(medium, bivariate),
-            Compiled::Plain(medium) => picture.cast(medium, bivariate),
-            Compiled::Any(medium) => picture.cast(&LaneByLane(medium), bivariate),
-            Compiled::Adaptive(medium) => picture.cast(&LaneByLane(medium), bivariate),
-            Compiled::Partial(medium) => picture.cast(&LaneByLane(medium), bivariate),
-            Compiled::Points(medium) => picture.cast(&LaneByLane(medium), bivariate),
-            Compiled::PreIntegrated(medium) => picture.cast(&LaneByLane(medium), bivariate),
+            Compiled::Curve(medium) => picture.cast(medium, medium, bivariate),
+            Compiled::Plain(medium) => picture.cast(medium, medium, bivariate),
+            Compiled::Any(medium) => picture.cast(&LaneByLane(medium), medium, bivariate),
+            Compiled::Adaptive(medium) => picture.cast(&LaneByLane(medium), medium, bivariate),
+            Compiled::Partial(medium) => picture.cast(&LaneByLane(medium), medium, bivariate),
+            Compiled::Points(medium) => picture.cast(&LaneByLane(medium), medium, bivariate),
+            Compiled::PreIntegrated(medium) => picture.cast(&LaneByLane(medium), medium, bivariate),
         };
         let cast = start.elapsed();
         Ok(Drawn { image, counts, times: [prepared, binned - prepared, cast - binned] })

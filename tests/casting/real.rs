@@ -121,7 +121,7 @@ meshes! {
     blunt_fin: "bluntfin_tet.vtu" "Density" LIMITS,
     post: "post_tet.vtu" "StagnationEnergy" LIMITS,
     disk: "disk_out_ref.vtu" "Temp" LIMITS,
-    can: "can.vtu" "VEL" FOLDED,
+    can: "can.vtu" "VEL" LIMITS,
     cavity: "driven_cavity.vtu" "Velocity" LIMITS,
     oneram6: "oneram6_small.vtu" "Mach" LIMITS,
     bracket: "mech_bracket.vtu" "xdsp" LIMITS,
