@@ -1,8 +1,8 @@
 //! What every renderer offers, and the closed sets of choices a user has.
 
 mod integral;
+mod order;
 
-use std::fmt;
 use std::time::Duration;
 
 use crate::error::Result;
@@ -12,6 +12,7 @@ use crate::scene::{Camera, Optics, TransferFunction};
 use crate::tet::TetMesh;
 
 pub use integral::SegmentIntegral;
+pub use order::{OrderChoice, OrderMethod};
 
 /// How cells meet pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,37 +27,6 @@ pub enum Method {
     CellCast,
     /// Rays from cell to cell (Weiler et al. 2003), front to back: visibility is exact.
     RayCast,
-}
-
-/// In which order cells are blended.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum OrderMethod {
-    /// The cheapest that the function, the mesh and its census allow.
-    #[default]
-    Auto,
-    /// View depth of the cell's centroid.
-    Centroid,
-    /// Power of the eye to the cells of a regular mesh (Max, Hanrahan & Crawfis 1990): exact where the census says so.
-    Power,
-    /// Every cell after its neighbours behind it, on the host (Williams 1992): exact for convex meshes.
-    Mpvonc,
-    /// The same, and across gaps along the picture's rays, on the host (after Cook, Max, Silva & Williams 2004).
-    Exact,
-    /// Each pixel's fragments by their own depth, whatever the order of cells: exact.
-    PerPixel,
-}
-
-impl fmt::Display for OrderMethod {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Auto => "auto",
-            Self::Centroid => "centroid",
-            Self::Power => "power",
-            Self::Mpvonc => "mpvonc",
-            Self::Exact => "exact",
-            Self::PerPixel => "per-pixel",
-        })
-    }
 }
 
 /// Where the depth sort runs.

@@ -1,5 +1,7 @@
 //! What `docs/integrals.md` and `docs/order.md` are made by, small; and what `--explain` tells of pipelines.
 
+#![allow(clippy::duplicate_mod, reason = "each example brings what they share")]
+
 use std::sync::Arc;
 
 use tetralux::gpu::{DeviceChoice, Gpu, GpuRenderer};

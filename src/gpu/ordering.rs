@@ -6,8 +6,8 @@ use crate::error::Result;
 use crate::gpu::device::Gpu;
 use crate::gpu::store::{Pieces, Store};
 use crate::plan::near::NearCut;
-use crate::plan::order::{self, Inversions, OrderChoice, PowerOrder, VisibilityOrder};
-use crate::renderer::{Frame, OrderMethod};
+use crate::plan::order::{self, Inversions, PowerOrder, VisibilityOrder};
+use crate::renderer::{Frame, OrderChoice, OrderMethod};
 use crate::scene::Camera;
 use crate::tet::{Adjacency, TetMesh};
 

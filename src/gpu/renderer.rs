@@ -320,7 +320,7 @@ impl GpuRenderer {
         scene.need_lists(&self.gpu, clipped)?;
         match self.lists.take().filter(|lists| lists.are_of(size)) {
             Some(lists) => Ok(lists),
-            None => FragmentLists::new(&self.gpu, size, self.most_turns),
+            None => FragmentLists::new(&self.gpu, size, self.most_turns, false),
         }
     }
 

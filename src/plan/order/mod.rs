@@ -10,7 +10,6 @@
 //! [`VisibilityOrder::inversions`] tests any of them for one camera, [`sampled_inversions`] for many.
 
 mod centroid;
-mod choice;
 mod exact;
 mod face;
 mod gaps;
@@ -27,7 +26,6 @@ mod vantage;
 mod visibility;
 
 pub use self::centroid::centroid_depth;
-pub use self::choice::OrderChoice;
 pub use self::exact::exact;
 pub use self::inversions::{Inversions, sample_cameras, sampled_inversions};
 pub use self::metric::Metric;

@@ -1,8 +1,40 @@
-//! Which order a scene needs.
+//! In which order cells are drawn, and which order a scene needs.
+
+use std::fmt;
 
 use crate::plan::order::{PowerCensus, Proof};
-use crate::renderer::OrderMethod;
 use crate::scene::{EmissionModel, Optics, TransferFunction};
+
+/// In which order cells are blended.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum OrderMethod {
+    /// The cheapest that the function, the mesh and its census allow.
+    #[default]
+    Auto,
+    /// View depth of the cell's centroid.
+    Centroid,
+    /// Power of the eye to the cells of a regular mesh (Max, Hanrahan & Crawfis 1990): exact where the census says so.
+    Power,
+    /// Every cell after its neighbours behind it, on the host (Williams 1992): exact for convex meshes.
+    Mpvonc,
+    /// The same, and across gaps along the picture's rays, on the host (after Cook, Max, Silva & Williams 2004).
+    Exact,
+    /// Each pixel's fragments by their own depth, whatever the order of cells: exact.
+    PerPixel,
+}
+
+impl fmt::Display for OrderMethod {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Auto => "auto",
+            Self::Centroid => "centroid",
+            Self::Power => "power",
+            Self::Mpvonc => "mpvonc",
+            Self::Exact => "exact",
+            Self::PerPixel => "per-pixel",
+        })
+    }
+}
 
 /// Up to this optical depth, of the mesh's diagonal at the function's largest extinction, the order by centroids is taken.
 ///
