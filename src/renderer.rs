@@ -7,7 +7,6 @@ use std::time::Duration;
 use crate::error::Result;
 use crate::image::Image;
 use crate::scene::{Camera, Optics, TransferFunction};
-use crate::tet::TetMesh;
 
 pub use integral::SegmentIntegral;
 
@@ -34,6 +33,8 @@ pub enum OrderMethod {
     Centroid,
     /// Each pixel's fragments by their own depth, whatever the order of cells: exact.
     PerPixel,
+    /// As a grid's voxels lie around the eye: exact, and known without sorting.
+    Structured,
 }
 
 /// Where the depth sort runs.
@@ -199,7 +200,4 @@ pub trait Renderer {
 
     /// Renders `frame` and waits for it, leaving the picture on the device: what is timed as a frame.
     fn render_only(&mut self, frame: &Frame<'_>) -> Result<Duration>;
-
-    /// The mesh.
-    fn mesh(&self) -> &TetMesh;
 }

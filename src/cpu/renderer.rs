@@ -176,10 +176,6 @@ impl Renderer for CpuRenderer {
         self.draw(frame)?;
         Ok(start.elapsed())
     }
-
-    fn mesh(&self) -> &TetMesh {
-        &self.mesh
-    }
 }
 
 #[cfg(test)]

@@ -316,10 +316,6 @@ impl Renderer for RayCaster {
         self.draw_frame(frame, false)?;
         Ok(start.elapsed())
     }
-
-    fn mesh(&self) -> &TetMesh {
-        &self.mesh
-    }
 }
 
 /// Makes a buffer anew where it is too small.
