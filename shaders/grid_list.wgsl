@@ -24,8 +24,8 @@ fn put(rank: u32, slot: u32, voxel: vec3u, k: u32) -> u32 {
         order[rank] = cell;
         return rank + 1u;
     }
-    let corners = corners_of(tet_of(voxel, k));
-    let bands = tet_bands(voxel, corners, tet_bound(voxel, corners));
+    // Draws are not told apart by whether they have deep cells.
+    let bands = tet_bands(voxel, corners_of(tet_of(voxel, k)), 0.0);
     let count = span_count(bands);
     for (var i = 0u; i < count; i++) {
         order[rank + i] = span_of(cell, bands, i);

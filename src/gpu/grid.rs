@@ -14,9 +14,11 @@ use crate::error::{Error, Result};
 use crate::gpu::device::Gpu;
 use crate::gpu::light::Shading;
 use crate::gpu::renderer::{GpuRenderer, unprepared};
+use crate::gpu::sort;
+use crate::gpu::store::{DEEP_SPAN, SPAN_BITS};
 use crate::gpu::target::Target;
 use crate::gpu::transfer::TransferBuffers;
-use crate::plan::voxels::Near;
+use crate::plan::voxels::{self, BRICK, Near};
 use crate::renderer::{BlendFormat, BufferSize, Frame, Method, OrderMethod, Rendered, Renderer, Settings, Stats};
 use crate::scene::{Optics, Projection};
 use crate::space::Bounds;
@@ -36,6 +38,13 @@ pub struct GridRenderer {
     frames: Vec<wgpu::Buffer>,
     /// What draws the voxels around the eye.
     near: Option<(VoxelBox, GpuRenderer)>,
+    last_batch: Option<LastBatch>,
+}
+
+/// The last bricks that were drawn, for [`GridRenderer::order`].
+struct LastBatch {
+    bricks: Vec<u32>,
+    nearest: [usize; 3],
 }
 
 impl GridRenderer {
@@ -60,7 +69,18 @@ impl GridRenderer {
         }
         let store = GridStore::new(&gpu, &grid)?;
         let part = grid.all();
-        Ok(Self { gpu, grid, settings, part, store, scene: None, target: None, frames: Vec::new(), near: None })
+        Ok(Self {
+            gpu,
+            grid,
+            settings,
+            part,
+            store,
+            scene: None,
+            target: None,
+            frames: Vec::new(),
+            near: None,
+            last_batch: None,
+        })
     }
 
     /// The same of the voxels that reach into a box alone, which is in data space and parallel to the axes.
@@ -79,6 +99,35 @@ impl GridRenderer {
         }
         self.scene = None;
         Ok(self)
+    }
+
+    /// The tetrahedra of the last frame's last batch, 1,024 bricks of 8 x 8 x 8 voxels at most, as they were drawn: back to
+    /// front, numbered as those of the mesh that five a voxel make.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn order(&self) -> Result<Vec<u32>> {
+        let (Some(scene), Some(batch)) = (&self.scene, &self.last_batch) else { return Ok(Vec::new()) };
+        let listed = u64::from(sort::survivors(&self.gpu, &self.store.counts)?);
+        let mut entries: Vec<u32> = self.gpu.read(self.store.order(), listed * 4)?;
+        if scene.spans.is_some() {
+            // A cell is where its first span is.
+            entries.retain(|span| span % DEEP_SPAN == 0);
+            entries.iter_mut().for_each(|span| *span >>= SPAN_BITS);
+        }
+        let voxels = self.grid.voxels();
+        let tet = |entry: u32| {
+            let (slot, k) = (entry as usize / 8, entry % 8);
+            let first = scene::unpacked(batch.bricks[slot / 512]).map(|brick| brick * BRICK);
+            let turns = [slot % 8, slot / 8 % 8, slot / 64 % 8];
+            let at: [usize; 3] = std::array::from_fn(|axis| {
+                let nearest = batch.nearest[axis].clamp(first[axis], first[axis] + BRICK - 1) - first[axis];
+                // It is its own inverse.
+                first[axis] + voxels::turn(nearest, BRICK, turns[axis])
+            });
+            (5 * (at[0] + voxels[0] * (at[1] + voxels[1] * at[2]))) as u32 + k
+        };
+        Ok(entries.into_iter().map(tet).collect())
     }
 
     fn prepare_scene(&mut self, frame: &Frame<'_>) -> Result<()> {

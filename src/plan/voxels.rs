@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use crate::error::{Error, Result};
 use crate::plan::near::MOST_DEPTH_RATIO;
+use crate::plan::order::VisibilityOrder;
 use crate::scene::{Camera, Projection};
 use crate::space::Bounds;
 use crate::tet::{Domain as _, Grid, VoxelBox};
@@ -47,6 +48,50 @@ pub fn nearest(grid: &Grid, camera: &Camera) -> [usize; 3] {
             }
         }
     })
+}
+
+/// All tetrahedra of a grid, numbered as those of the mesh that five a voxel make, back to front: bricks, the voxels of each
+/// and the tetrahedra of those, as they lie around the eye. What shaders do, for tests to compare with.
+pub fn order(grid: &Grid, camera: &Camera) -> VisibilityOrder {
+    let (voxels, nearest) = (grid.voxels(), nearest(grid, camera));
+    let eye = grid.mesh_from_data(camera.eye);
+    let forward = camera.basis().forward;
+    let perspective = matches!(camera.projection, Projection::Perspective { .. });
+    let mut keyed = Vec::with_capacity(grid.tet_count() as usize);
+    for tet in 0..grid.tet_count() as u32 {
+        let voxel = tet as usize / 5;
+        let at = [voxel % voxels[0], voxel / voxels[0] % voxels[1], voxel / voxels[0] / voxels[1]];
+        // Of z first: it is outermost.
+        let brick_turn =
+            [2, 1, 0].map(|axis: usize| turn(nearest[axis] / BRICK, voxels[axis].div_ceil(BRICK), at[axis] / BRICK));
+        let voxel_turn = [2, 1, 0].map(|axis: usize| {
+            let first = at[axis] / BRICK * BRICK;
+            turn(nearest[axis].clamp(first, first + BRICK - 1) - first, BRICK, at[axis] - first)
+        });
+        let is_odd = at.iter().sum::<usize>() % 2 == 1;
+        let place = match tet % 5 {
+            4 => 1,
+            k => {
+                let corner = (if is_odd { [0, 3, 5, 6] } else { [1, 2, 4, 7] })[k as usize];
+                let ends = |axis: usize| {
+                    let up = corner >> axis & 1;
+                    [grid.places[axis][at[axis] + up], grid.places[axis][at[axis] + 1 - up]]
+                };
+                // Where the eye is, or looks, in units of the voxel's sides from the corner.
+                let sum: f64 = (0..3)
+                    .map(|axis| {
+                        let [from, to] = ends(axis);
+                        (if perspective { eye[axis] - from } else { forward[axis] }) / (to - from)
+                    })
+                    .sum();
+                let is_before_middle = if perspective { sum < 1.0 } else { sum > 0.0 };
+                if is_before_middle { 2 } else { 0 }
+            }
+        };
+        keyed.push((brick_turn, voxel_turn, place, tet));
+    }
+    keyed.sort_unstable();
+    VisibilityOrder::of_permutation(keyed.into_iter().map(|(.., tet)| tet).collect())
 }
 
 /// What is drawn of a grid around the eye in another way.

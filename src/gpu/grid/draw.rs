@@ -2,7 +2,7 @@
 
 use super::scene::{ShownBrick, packed};
 use super::store::LIST_STEP;
-use super::{GridRenderer, check};
+use super::{GridRenderer, LastBatch, check};
 use crate::error::Result;
 use crate::gpu::cover::Cover;
 use crate::gpu::device::Resources;
@@ -51,7 +51,11 @@ impl GridRenderer {
         let bricks = self.gpu.storage("bricks", &list);
         self.draw_batches(&mut recorder, &bricks, &batches, clipped)?;
         self.finish_picture(&mut recorder, has_near)?;
-        Ok((recorder.finish()?, near.voxels))
+        self.last_batch = batches.last().map(|batch| {
+            let bricks = list[batch.first..batch.first + batch.bricks].to_vec();
+            LastBatch { bricks, nearest }
+        });
+        Ok((grouped(recorder.finish()?), near.voxels))
     }
 
     /// What all passes of a frame see of the grid.
@@ -221,4 +225,20 @@ impl GridRenderer {
         let groups = scene.resolve.bind(&self.gpu, &textures)?;
         recorder.draw(&scene.resolve, &groups, &[(&target.picture, ZERO)], |pass| pass.draw(0..3, 0..1))
     }
+}
+
+/// Batches and draws are many: one line a pass.
+fn grouped(times: Vec<PassTime>) -> Vec<PassTime> {
+    let mut sums: Vec<(PassTime, u32)> = Vec::new();
+    for time in times {
+        match sums.iter_mut().find(|(sum, _)| sum.pass == time.pass) {
+            Some((sum, count)) => {
+                sum.time += time.time;
+                *count += 1;
+            }
+            None => sums.push((time, 1)),
+        }
+    }
+    let named = |(sum, count): (PassTime, u32)| PassTime { work: format!("{count} times"), ..sum };
+    sums.into_iter().map(named).collect()
 }

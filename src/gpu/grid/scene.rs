@@ -148,6 +148,11 @@ pub fn packed(at: [usize; 3]) -> u32 {
     (at[0] | at[1] << 10 | at[2] << 20) as u32
 }
 
+/// What [`packed`] was made of.
+pub fn unpacked(brick: u32) -> [usize; 3] {
+    [brick & 1023, brick >> 10 & 1023, brick >> 20].map(|n| n as usize)
+}
+
 /// Spans, in the form of which fewer are drawn, where no cell has too many.
 fn spans(counts: &[([usize; 3], BrickCount)]) -> Option<Spans> {
     let sum = |of: fn(&BrickCount) -> u32| counts.iter().map(|(_, c)| f64::from(of(c))).sum::<f64>();

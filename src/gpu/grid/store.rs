@@ -138,6 +138,11 @@ impl GridStore {
         }
     }
 
+    /// The tetrahedra of a batch, or spans of them, back to front.
+    pub fn order(&self) -> &wgpu::Buffer {
+        &self.order
+    }
+
     /// Buffers by the names that shaders give them.
     pub fn resources(&self) -> Resources<'_> {
         let list = self.samples_held().into_iter().chain(self.working());
