@@ -20,7 +20,7 @@ fn what_is_dropped_is_not_seen() {
     // Thinner than voxels: what makes it lies between samples, and few of them have it.
     let shell = [(0.0, 0.0), (0.6, 0.0), (0.62, 20.0), (0.64, 0.0), (1.0, 0.0)].map(|(at, e)| node(at, e));
     let shell = TransferFunction::Curve(Curve { nodes: shell.to_vec() });
-    let center = [range.min + 0.6 * range.length(), 0.5 * grid.gradient_range().max];
+    let center = [range.min + 0.3 * range.length(), 0.77 * grid.gradient_range().max];
     let sigma = [0.02 * range.length(), 0.04 * grid.gradient_range().max];
     let narrow = Widget::new(WidgetShape::Gaussian { center, sigma, angle: 0.0 }, [0.2, 0.6, 0.9], 30.0);
     let narrow = TransferFunction::Widgets(vec![narrow]);
