@@ -40,7 +40,7 @@ pub const PAIRS_PAY: f64 = 1.1;
 
 /// Cells of one draw on a software adapter: lavapipe bins a draw's triangles, at 300 bytes each, before it shades them,
 /// and these fit the caches. 16,384 took 1.25 times as long a frame (584,000 cells), 1,024 as long for its passes.
-pub const SOFTWARE_DRAW: u32 = 3072;
+const SOFTWARE_DRAW: u32 = 3072;
 
 /// Renders one mesh by projection (Shirley & Tuchman 1990; Weiler et al. 2003) in compute and raster passes.
 pub struct GpuRenderer {

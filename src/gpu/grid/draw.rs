@@ -9,7 +9,7 @@ use crate::gpu::device::Resources;
 use crate::gpu::frame;
 use crate::gpu::layout;
 use crate::gpu::record::{Recorder, Work};
-use crate::gpu::renderer::{EMPTY, SOFTWARE_DRAW, ZERO, unprepared};
+use crate::gpu::renderer::{EMPTY, ZERO, unprepared};
 use crate::gpu::scene::{GUARD, LONGEST_HAIR};
 use crate::gpu::sort;
 use crate::gpu::target::Target;
@@ -161,7 +161,7 @@ impl GridRenderer {
             recorder.compute(&scene.cull, &scene.cull.bind(gpu, &all)?, Work::Items(voxels))?;
             recorder.compute(&scene.compact, &scene.compact.bind(gpu, &all)?, Work::Groups(1))?;
             recorder.compute(&scene.list, &scene.list.bind(gpu, &all)?, Work::Items(voxels))?;
-            // Software adapters like small draws, for which the number must be known.
+            // Waiting here also bounds what a software adapter has to hold.
             let mut known = None;
             if gpu.is_software() {
                 recorder.submit();
@@ -191,19 +191,16 @@ impl GridRenderer {
             let cells = rest.min(store.chunk_cells);
             let resources = all.clone().with("chunk", &store.chunks[chunk as usize]);
             recorder.compute(&scene.project, &scene.project.bind(gpu, &resources)?, Work::Items(cells))?;
-            let at_once = if known.is_some() { SOFTWARE_DRAW } else { cells };
-            for first in (0..cells).step_by(at_once as usize) {
-                let end = cells.min(first + at_once);
-                recorder.draw(raster, &groups, &[(&target.blended, wgpu::LoadOp::Load)], |pass| {
-                    target.set_viewport(pass, clipped);
-                    pass.set_index_buffer(store.indices.slice(..), wgpu::IndexFormat::Uint32);
-                    pass.set_vertex_buffer(0, store.corners.slice(..));
-                    match known {
-                        None => pass.draw_indexed_indirect(&store.draws, u64::from(chunk) * 20),
-                        Some(_) => pass.draw_indexed(first * indices..end * indices, 0, 0..1),
-                    }
-                })?;
-            }
+            // One draw: smaller ones fit a software adapter's caches better, but lavapipe keeps about 1 MB of each.
+            recorder.draw(raster, &groups, &[(&target.blended, wgpu::LoadOp::Load)], |pass| {
+                target.set_viewport(pass, clipped);
+                pass.set_index_buffer(store.indices.slice(..), wgpu::IndexFormat::Uint32);
+                pass.set_vertex_buffer(0, store.corners.slice(..));
+                match known {
+                    None => pass.draw_indexed_indirect(&store.draws, u64::from(chunk) * 20),
+                    Some(_) => pass.draw_indexed(0..cells * indices, 0, 0..1),
+                }
+            })?;
         }
         Ok(())
     }
