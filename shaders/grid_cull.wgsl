@@ -3,8 +3,8 @@
 #import shared/grid_bound
 #import shared/scan
 
-// Marks each voxel's tetrahedra that the transfer function can make visible and that can cover a pixel's centre, and counts
-// them, or their spans, per block of 256 voxels: half a brick.
+// Marks each voxel's tetrahedra that the transfer function can make visible and that can cover a pixel's centre, and
+// counts them, or their spans, per block of 256 voxels: half a brick.
 
 // Of each voxel of the batch: bits of its tetrahedra, and above them what is drawn before it in its block.
 @group(3) @binding(0) var<storage, read_write> voxels: array<u32>;

@@ -33,7 +33,8 @@ struct Grid {
 
 // Tetrahedra of even and odd voxels, four that are cut off and the middle: corners in ascending order, 3 bits each;
 // whether that turns the tetrahedron over; the corner that is cut off.
-const TETS = array<u32, 10>(0x02ac8u, 0x05cd0u, 0x08d60u, 0x0ffabu, 0x01d58u, 0x00888u, 0x07ed1u, 0x0af61u, 0x0dfa2u, 0x00f11u);
+const TETS = array<u32, 10>(0x02ac8u, 0x05cd0u, 0x08d60u, 0x0ffabu, 0x01d58u,
+                            0x00888u, 0x07ed1u, 0x0af61u, 0x0dfa2u, 0x00f11u);
 const MIDDLE = 4u;
 
 fn tet_of(voxel: vec3u, k: u32) -> u32 {

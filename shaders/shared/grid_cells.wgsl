@@ -1,8 +1,8 @@
 #import shared/grid
 #import shared/reached
 
-// A grid's cells, for shared/corners.wgsl: the voxel's number in the batch x 8 + the tetrahedron's. Vertices are numbered
-// as samples.
+// A grid's cells, for shared/corners.wgsl: the voxel's number in the batch x 8 + the tetrahedron's. Vertices are
+// numbered as samples.
 
 struct Cell {
     tet: vec4u,

@@ -1,5 +1,5 @@
-//! Projected tetrahedra of a structured grid, none of which is held (Maximo et al. 2007): voxels are drawn in the order in
-//! which they lie around the eye, a batch of bricks at a time.
+//! Projected tetrahedra of a structured grid, none of which is held (Maximo et al. 2007): voxels are drawn in the order
+//! in which they lie around the eye, a batch of bricks at a time.
 
 mod draw;
 mod scene;
@@ -101,8 +101,8 @@ impl GridRenderer {
         Ok(self)
     }
 
-    /// The tetrahedra of the last frame's last batch, 1,024 bricks of 8 x 8 x 8 voxels at most, as they were drawn: back to
-    /// front, numbered as those of the mesh that five a voxel make.
+    /// The tetrahedra of the last frame's last batch, 1,024 bricks of 8 x 8 x 8 voxels at most, as they were drawn:
+    /// back to front, numbered as those of the mesh that five a voxel make.
     ///
     /// # Errors
     /// A lost device.
@@ -234,8 +234,8 @@ impl Renderer for GridRenderer {
 fn check(optics: &Optics) -> Result<()> {
     if Shading::of(optics).is_on() {
         return Err(Error::Asked(
-            "lighting and silhouettes need gradient vectors, which a structured order does not have: render with --order \
-             centroid or per-pixel"
+            "lighting and silhouettes need gradient vectors, which a structured order does not have: render with \
+             --order centroid or per-pixel"
                 .into(),
         ));
     }

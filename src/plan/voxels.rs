@@ -21,8 +21,8 @@ const MARGIN: f64 = 1e-2;
 /// When an index is visited, of `count` along an axis: first those below the one nearest to the eye, rising, then those
 /// above it, falling, and that one itself last.
 ///
-/// Along a ray from the eye the distance from the nearest index never falls, on any axis. So nested visits of the three axes
-/// go back to front, whichever is outermost; of voxels, and of bricks of them.
+/// Along a ray from the eye the distance from the nearest index never falls, on any axis. So nested visits of the three
+/// axes go back to front, whichever is outermost; of voxels, and of bricks of them.
 pub fn turn(nearest: usize, count: usize, index: usize) -> usize {
     if index < nearest { index } else { count - 1 - (index - nearest) }
 }
@@ -50,8 +50,8 @@ pub fn nearest(grid: &Grid, camera: &Camera) -> [usize; 3] {
     })
 }
 
-/// All tetrahedra of a grid, numbered as those of the mesh that five a voxel make, back to front: bricks, the voxels of each
-/// and the tetrahedra of those, as they lie around the eye. What shaders do, for tests to compare with.
+/// All tetrahedra of a grid, numbered as those of the mesh that five a voxel make, back to front: bricks, the voxels of
+/// each and the tetrahedra of those, as they lie around the eye. What shaders do, for tests to compare with.
 pub fn order(grid: &Grid, camera: &Camera) -> VisibilityOrder {
     let (voxels, nearest) = (grid.voxels(), nearest(grid, camera));
     let eye = grid.mesh_from_data(camera.eye);
@@ -97,8 +97,8 @@ pub fn order(grid: &Grid, camera: &Camera) -> VisibilityOrder {
 /// What is drawn of a grid around the eye in another way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Near {
-    /// Voxels to be cut: a box that holds the eye, if that is in the grid, so that it lies before all others. Empty where
-    /// none is.
+    /// Voxels to be cut: a box that holds the eye, if that is in the grid, so that it lies before all others. Empty
+    /// where none is.
     pub voxels: VoxelBox,
     /// View depth, mesh space: other voxels that reach nearer are not in the picture.
     pub least_depth: f64,
@@ -106,11 +106,12 @@ pub struct Near {
     pub near: f64,
 }
 
-/// The voxels near the eye for a picture of `aspect` = width / height: those that the near plane cuts, or whose depths differ
-/// by more than [`MOST_DEPTH_RATIO`], within the picture; of `part` of the grid.
+/// The voxels near the eye for a picture of `aspect` = width / height: those that the near plane cuts, or whose depths
+/// differ by more than [`MOST_DEPTH_RATIO`], within the picture; of `part` of the grid.
 ///
-/// No voxel's depths differ by more than `extent`, so those nearer than a third of it may be too long: all that the picture
-/// holds up to 4/3 of it are in the box. Whatever else reaches nearer than `extent` / 3 lies outside the picture.
+/// No voxel's depths differ by more than `extent`, so those nearer than a third of it may be too long: all that the
+/// picture holds up to 4/3 of it are in the box. Whatever else reaches nearer than `extent` / 3 lies outside the
+/// picture.
 ///
 /// # Errors
 /// [`Error::Asked`] where they are too many.
@@ -140,8 +141,8 @@ pub fn near(grid: &Grid, part: &VoxelBox, camera: &Camera, aspect: f64) -> Resul
     };
     if voxels.count() > MOST_NEAR {
         return Err(Error::Asked(format!(
-            "the near plane cuts through the grid, and {} voxels lie about it: a structured order cuts {MOST_NEAR} at most; \
-             move the camera or --near, or render with --order centroid",
+            "the near plane cuts through the grid, and {} voxels lie about it: a structured order cuts {MOST_NEAR} at \
+             most; move the camera or --near, or render with --order centroid",
             voxels.count()
         )));
     }

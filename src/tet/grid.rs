@@ -63,8 +63,8 @@ impl VoxelBox {
 }
 
 impl Grid {
-    /// Whether a mesh can be taken: a structured grid without blanks, whose points are a lattice parallel to the axes (its
-    /// planes may lie at uneven distances).
+    /// Whether a mesh can be taken: a structured grid without blanks, whose points are a lattice parallel to the axes
+    /// (its planes may lie at uneven distances).
     ///
     /// # Errors
     /// [`Error::Asked`] with what stands against it, and what takes such a mesh.
@@ -86,8 +86,8 @@ impl Grid {
         let bad = field.values.par_iter().filter(|v| !v.is_finite()).count();
         if bad > 0 || field.unusable.contains(&true) {
             return Err(Error::Asked(format!(
-                "a structured order takes fields that are finite everywhere, and {:?} is not at {bad} of {count} samples: \
-                 {INSTEAD}",
+                "a structured order takes fields that are finite everywhere, and {:?} is not at {bad} of {count} \
+                 samples: {INSTEAD}",
                 field.name
             )));
         }
@@ -189,7 +189,7 @@ impl Grid {
     /// length. Each of the octants around it adds what the tetrahedra of its voxel do: one where the sample's i + j + k
     /// is odd, a corner that is cut off; else four, of which the one in the middle has twice the volume of the others.
     fn gradient(&self, at: [usize; 3]) -> DVec3 {
-        let is_even = (at[0] + at[1] + at[2]) % 2 == 0;
+        let is_even = at.iter().sum::<usize>().is_multiple_of(2);
         let center = self.sample(at);
         let strides = [1, self.points[0], self.points[0] * self.points[1]];
         let (mut sum, mut weight) = (DVec3::ZERO, 0.0);

@@ -29,7 +29,8 @@ struct Batch {
 }
 
 impl GridRenderer {
-    /// Draws a frame; the picture is left in the target. Returns the passes' times and the voxels that were drawn otherwise.
+    /// Draws a frame; the picture is left in the target. Returns the passes' times and the voxels that were drawn
+    /// otherwise.
     pub(super) fn draw_frame(&mut self, frame: &Frame<'_>, timed: bool) -> Result<(Vec<PassTime>, VoxelBox)> {
         check(frame.optics)?;
         self.prepare_scene(frame)?;

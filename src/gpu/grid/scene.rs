@@ -164,8 +164,8 @@ fn spans(counts: &[([usize; 3], BrickCount)]) -> Option<Spans> {
     (most <= DEEP_SPAN).then_some(Spans { count: 0, most, paired, deep })
 }
 
-/// The bricks that the function can show by the ranges of their samples, and what they can show by their tetrahedra; those
-/// that can show nothing are left out.
+/// The bricks that the function can show by the ranges of their samples, and what they can show by their tetrahedra;
+/// those that can show nothing are left out.
 fn count_bricks(
     gpu: &Gpu,
     store: &GridStore,

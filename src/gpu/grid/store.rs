@@ -77,9 +77,9 @@ impl GridStore {
         if count * 4 > gpu.max_binding || bricks_along.iter().any(|&n| n > 1023) {
             let [x, y, z] = grid.points;
             return Err(Error::Device(format!(
-                "a grid of {x} x {y} x {z} samples is {} MiB; '{}' binds {} MiB at once, and 8,184 voxels are drawn along an \
-                 axis at most: coarsen the grid, or cut it",
-                count * 4 >> 20,
+                "a grid of {x} x {y} x {z} samples is {} MiB; '{}' binds {} MiB at once, and 8,184 voxels are drawn \
+                 along an axis at most: coarsen the grid, or cut it",
+                (count * 4) >> 20,
                 gpu.info.name,
                 gpu.max_binding >> 20
             )));
