@@ -19,7 +19,7 @@ use tetralux::image::{Comparison, Image, PngEncoding};
 use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
 use tetralux::plan::order::centroid_depth;
-use tetralux::renderer::{Frame, Renderer as _, SegmentIntegral, Settings};
+use tetralux::renderer::{Frame, OrderMethod, Renderer as _, SegmentIntegral, Settings};
 use tetralux::scene::Scene;
 use tetralux::{Error, Result};
 
@@ -65,14 +65,14 @@ pub fn rows(scene: &str, integrals: &[&'static str], size: Option<[u32; 2]>) -> 
     let scene = Scene::read(Some(scene.as_ref()), &more)?;
     // Never the stand-in: there is a file.
     let (mesh, _) = common::mesh(Some(&PathBuf::from(MESH)), scene.field.as_deref(), Sample::Tangle, 0)?;
-    let (camera, transfer) = scene.resolve(&mesh)?;
+    let (camera, transfer) = scene.resolve(&*mesh)?;
     let background = scene.premultiplied_background();
     let frame = Frame { camera: &camera, transfer: &transfer, optics: &scene.optics, size: scene.size, background };
     let keys: Vec<f64> = centroid_depth(&mesh, &camera);
     let want = Oracle::new(Arc::clone(&mesh)).render_in_order(&frame, &keys)?;
     let row = |&name: &&'static str| {
         let integral: SegmentIntegral = name.parse()?;
-        let settings = Settings { integral, ..Settings::default() };
+        let settings = Settings { integral, order: OrderMethod::Centroid, ..Settings::default() };
         let mut renderer = GpuRenderer::new(Gpu::new(DeviceChoice::Any)?, Arc::clone(&mesh), settings)?;
         let got = renderer.render(&frame, false)?.image;
         let comparison = Comparison::new(&got, &want)?;

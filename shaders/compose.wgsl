@@ -15,6 +15,8 @@
 @group(3) @binding(9) var picture: texture_storage_2d<rgba32float, write>;
 
 override MOST_TURNS: u32 = 8192u;
+// On: pixels without fragments stay as they are.
+override KEEPS_OTHERS: bool = false;
 // Nothing behind less is seen.
 const OPAQUE: f32 = 1e-7;
 // A pixel that is done has runs so long.
@@ -50,6 +52,9 @@ fn main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) group
     let width = u32(frame.image_width);
     let list = list_of(pixel, width);
     let count = fragments[pixel];
+    if KEEPS_OTHERS && count == 0u {
+        return;
+    }
     // Length of the runs; made or composed fragments; where the two runs are that are merged.
     var run = 1u;
     var made = 0u;

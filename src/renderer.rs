@@ -1,14 +1,17 @@
 //! What every renderer offers, and the closed sets of choices a user has.
 
 mod integral;
+mod order;
 
 use std::time::Duration;
 
 use crate::error::Result;
 use crate::image::Image;
+use crate::plan::order::Inversions;
 use crate::scene::{Camera, Optics, TransferFunction};
 
 pub use integral::SegmentIntegral;
+pub use order::{OrderChoice, OrderMethod};
 
 /// How cells meet pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -23,18 +26,6 @@ pub enum Method {
     CellCast,
     /// Rays from cell to cell (Weiler et al. 2003), front to back: visibility is exact.
     RayCast,
-}
-
-/// In which order cells are blended.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum OrderMethod {
-    /// View depth of the cell's centroid, back to front.
-    #[default]
-    Centroid,
-    /// Each pixel's fragments by their own depth, whatever the order of cells: exact.
-    PerPixel,
-    /// As a grid's voxels lie around the eye: exact, and known without sorting.
-    Structured,
 }
 
 /// Where the depth sort runs.
@@ -174,12 +165,16 @@ pub struct Stats {
     pub passes: Vec<PassTime>,
     /// Where rays were cast.
     pub rays: Option<RayCounts>,
+    /// Neighbours among the cells that were drawn, and those in the wrong order; unless passes were timed, not counted.
+    pub inversions: Option<Inversions>,
     /// Device buffers.
     pub buffers: Vec<BufferSize>,
     /// Adapter, driver and back end, or the CPU engine's name.
     pub adapter: String,
     /// What the pipelines were specialised for, one line; empty where nothing is compiled for a scene.
     pub pipelines: String,
+    /// The order of cells and why it was taken; empty where there is none.
+    pub order: String,
     /// Choices that the renderer made, one sentence each.
     pub notes: Vec<String>,
 }

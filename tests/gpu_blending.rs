@@ -86,7 +86,7 @@ fn ramps_to_absurd_extinctions_end() {
     for top in [1e4, 1e9, 1e20] {
         let transfer = curve(&mesh, [0.0, 0.0, top], colors);
         let camera = camera(&mesh, 2.0, true);
-        let got = draw(&mut renderer(&mesh, Settings::default()), &camera, &transfer, SIZE).image;
+        let got = draw(&mut renderer(&mesh, common::gpu::by_centroids()), &camera, &transfer, SIZE).image;
         let comparison = Comparison::new(&got, &truth(&mesh, &camera, &transfer)).expect("equal sizes");
         println!(
             "up to {top:.0e}: {} pixels above 2e-3, {} not finite",
@@ -139,7 +139,7 @@ fn draws_with_and_without_deep_cells_agree() {
     let transfer = curve(&mesh, [0.5 * k, 2.0 * k, 200.0 * k], [[1.0, 0.2, 0.1], [0.2, 1.0, 0.1], [0.1, 0.2, 1.0]]);
     let camera = camera(&mesh, 2.0, true);
     let by = |sort| {
-        let mut renderer = renderer(&mesh, Settings { sort, ..Default::default() });
+        let mut renderer = renderer(&mesh, Settings { sort, ..common::gpu::by_centroids() });
         draw(&mut renderer, &camera, &transfer, [256, 256]).image
     };
     let comparison = Comparison::new(&by(SortPlace::Host), &by(SortPlace::Gpu)).expect("equal sizes");

@@ -153,8 +153,8 @@ fn same_picture(a: &Image, b: &Image) -> Result<f64, String> {
 
 fn changes_no_picture(mesh: &Arc<TetMesh>, what: &str) {
     let camera = camera(mesh);
-    let mut all = gpu::renderer(mesh, Settings { cull: false, ..Default::default() });
-    let mut culled = gpu::renderer(mesh, Settings::default());
+    let mut all = gpu::renderer(mesh, Settings { cull: false, ..gpu::by_centroids() });
+    let mut culled = gpu::renderer(mesh, gpu::by_centroids());
     for case in cases(mesh) {
         let want = draw(&mut all, &camera, &case.transfer, SIZE);
         let got = draw(&mut culled, &camera, &case.transfer, SIZE);

@@ -1,4 +1,6 @@
-//! What `docs/integrals.md` is made by, small; and what `--explain` tells of pipelines.
+//! What `docs/integrals.md` and `docs/order.md` are made by, small; and what `--explain` tells of pipelines.
+
+#![allow(clippy::duplicate_mod, reason = "each example brings what they share")]
 
 use std::sync::Arc;
 
@@ -9,6 +11,27 @@ use tetralux::scene::Scene;
 #[path = "../examples/integrals_page.rs"]
 #[expect(dead_code, reason = "its main is another program's")]
 mod integrals_page;
+#[path = "../examples/orders.rs"]
+#[expect(dead_code, reason = "its main is another program's")]
+mod orders;
+
+#[test]
+fn orders_stand_in_the_order_of_their_page() {
+    let mesh = tetralux::mesh::synth::Sample::Tangle.mesh(6_000);
+    let (mesh, _) =
+        tetralux::tet::TetMesh::new(mesh, &Default::default(), tetralux::tet::HexSplit::default()).expect("a mesh");
+    let rows = orders::rows(&Arc::new(mesh), 10.0, [64, 48]).expect("rows");
+    let names: Vec<&str> = rows.iter().map(|row| row.name.as_str()).collect();
+    assert_eq!(names, ["centroid", "power", "mpvonc", "exact", "per-pixel", "(raycast)"]);
+    let of = |name: &str| rows.iter().find(|row| row.name == name).expect("a row");
+    for exact in ["mpvonc", "exact", "per-pixel", "(raycast)"] {
+        assert!(of(exact).psnr > of("centroid").psnr + 20.0, "{:?}, {:?}", of(exact), of("centroid"));
+    }
+    let wrong = |name: &str| of(name).inversions.map(|counted| counted.wrong);
+    assert_eq!((wrong("mpvonc"), wrong("exact"), wrong("per-pixel")), (Some(0), Some(0), None));
+    assert!(wrong("centroid") > Some(1_000), "{rows:?}");
+    assert!(of("exact").bytes > of("centroid").bytes, "ranks take room: {rows:?}");
+}
 
 #[test]
 fn integrals_stand_in_the_order_of_their_page() {
@@ -54,7 +77,7 @@ fn pipelines_tell_what_they_are_made_for() {
         ("[transfer.curve]\npoints = [[0, 1, 0, 0, 1], [9, 1, 0, 0, 2]]", ["a curve", "weighted", "pairs of bands"]),
     ] {
         let scene = Scene::parse(transfer, &[]).expect("a scene");
-        let (camera, transfer) = scene.resolve(&mesh).expect("a camera");
+        let (camera, transfer) = scene.resolve(&*mesh).expect("a camera");
         let frame =
             Frame { camera: &camera, transfer: &transfer, optics: &scene.optics, size: [16, 12], background: [0.0; 4] };
         let told = renderer.render(&frame, false).expect("a picture").stats.pipelines;

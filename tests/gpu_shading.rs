@@ -258,7 +258,7 @@ fn a_camera_inside_real_data_comes_near() {
 fn splitting_cells_changes_nothing_but_outlined_opacities() {
     let (coarse, fine) = (affine(1), affine(2));
     let transfer = uniform(1.5);
-    let mut renderers = [&coarse, &fine].map(|mesh| renderer(mesh, Settings::default()));
+    let mut renderers = [&coarse, &fine].map(|mesh| renderer(mesh, common::gpu::by_centroids()));
     for camera in cameras(&coarse) {
         let mut changes = |optics: &Optics| {
             let [a, b] = renderers.each_mut().map(|r| draw(r, &camera, &transfer, optics).image);
@@ -286,7 +286,7 @@ fn noise_where_the_gradient_vanishes_does_not_sparkle() {
     let constant = box_mesh(6, MIN, MAX, |_| [5.0, 0.0]);
     let transfer = uniform(1.5);
     for (what, mesh) in [("noisy", Arc::new(noisy)), ("constant", Arc::new(constant))] {
-        let mut renderer = renderer(&mesh, Settings::default());
+        let mut renderer = renderer(&mesh, common::gpu::by_centroids());
         for camera in cameras(&mesh) {
             let plain = draw(&mut renderer, &camera, &transfer, &Optics::PLAIN).image;
             for (name, optics) in all_optics() {
@@ -324,7 +324,7 @@ fn where_a_gradient_vanishes_the_picture_is_smooth() {
     let center = DVec3::new(0.0625, -0.03125, 0.125);
     let mesh = Arc::new(box_mesh(16, MIN, MAX, |p| [(p - center).length_squared(), 2.0 * (p - center).length()]));
     let shell = curve(&mesh, [(0.0, 30.0), (0.02, 10.0), (0.05, 0.0), (1.0, 0.0)].into_iter());
-    let mut renderer = renderer(&mesh, Settings::default());
+    let mut renderer = renderer(&mesh, common::gpu::by_centroids());
     let oracle = Oracle::new(mesh.clone());
     let mut camera = cameras(&mesh)[0];
     camera.target = center;
@@ -368,12 +368,12 @@ fn optics_may_change_from_frame_to_frame() {
     let mesh = meshes::sample(Sample::Tangle, 20_000);
     let transfer = bands(&mesh);
     let views = [cameras(&mesh)[0], inside(&mesh), cameras(&mesh)[1]];
-    let mut changing = renderer(&mesh, Settings::default());
+    let mut changing = renderer(&mesh, common::gpu::by_centroids());
     for camera in &views {
         for (name, optics) in all_optics() {
-            let mut fresh = renderer(&mesh, Settings::default());
+            let mut fresh = renderer(&mesh, common::gpu::by_centroids());
             let plain = draw(&mut fresh, camera, &transfer, &Optics::PLAIN).image;
-            let shaded = draw(&mut renderer(&mesh, Settings::default()), camera, &transfer, &optics).image;
+            let shaded = draw(&mut renderer(&mesh, common::gpu::by_centroids()), camera, &transfer, &optics).image;
             assert_same_bits(&draw(&mut changing, camera, &transfer, &optics).image, &shaded, name);
             assert_same_bits(&draw(&mut changing, camera, &transfer, &Optics::PLAIN).image, &plain, "plain");
             assert!(largest_difference(&plain, &shaded) > 0.01, "{name}");
@@ -388,7 +388,7 @@ fn lit_unweighted_emission_is_refused() {
     let lit = all_optics().into_iter().map(|(_, optics)| optics).find(|o| o.lighting.is_some()).expect("lit optics");
     let optics = Optics { emission: EmissionModel::Unweighted, ..lit };
     let (transfer, [camera, _]) = (uniform(1.0), cameras(&mesh));
-    let refusal = renderer(&mesh, Settings::default()).render(&frame(&camera, &transfer, &optics), false);
+    let refusal = renderer(&mesh, common::gpu::by_centroids()).render(&frame(&camera, &transfer, &optics), false);
     let message = refusal.expect_err("not on a device").to_string();
     assert!(message.contains("unweighted") && message.contains("--device oracle"), "{message}");
 }

@@ -55,7 +55,7 @@ fn first_cells(count: usize) -> Arc<TetMesh> {
 }
 
 fn sorted_at(place: SortPlace, mesh: &Arc<TetMesh>, camera: &Camera, size: [u32; 2]) -> (Image, u64) {
-    let mut renderer = gpu::renderer(mesh, Settings { sort: place, ..Default::default() });
+    let mut renderer = gpu::renderer(mesh, Settings { sort: place, ..gpu::by_centroids() });
     let rendered = draw(&mut renderer, camera, &colorful(mesh), size);
     (rendered.image.clone(), cells(&rendered, "drawn"))
 }
@@ -167,7 +167,7 @@ fn frames_leave_nothing_behind() {
         (&perspective, &curve, SIZE),
     ];
     for place in [SortPlace::Host, SortPlace::Gpu] {
-        let settings = Settings { sort: place, ..Default::default() };
+        let settings = Settings { sort: place, ..gpu::by_centroids() };
         let mut kept = gpu::renderer(&mesh, settings);
         for (i, &(camera, transfer, size)) in frames.iter().enumerate() {
             if i % 2 == 1 {
@@ -187,7 +187,7 @@ fn nothing_is_seen_of_a_mesh_behind_the_camera() {
     for perspective in [true, false] {
         let toward = camera(&mesh, DVec3::new(1.0, 0.7, 0.4), perspective);
         let away = Camera { target: 2.0 * toward.eye - toward.target, ..toward };
-        let mut renderer = gpu::renderer(&mesh, Settings::default());
+        let mut renderer = gpu::renderer(&mesh, gpu::by_centroids());
         let picture = draw(&mut renderer, &away, &colorful(&mesh), SIZE).image;
         assert!(picture.pixels.iter().all(|p| *p == [0.0; 4]));
         let seen = draw(&mut renderer, &toward, &colorful(&mesh), SIZE).image;
@@ -199,7 +199,7 @@ fn nothing_is_seen_of_a_mesh_behind_the_camera() {
 fn a_background_lies_behind() {
     let mesh = first_cells(600);
     let (camera, transfer) = (camera(&mesh, DVec3::new(1.0, 0.7, 0.4), true), colorful(&mesh));
-    let mut renderer = gpu::renderer(&mesh, Settings::default());
+    let mut renderer = gpu::renderer(&mesh, gpu::by_centroids());
     let plain = draw(&mut renderer, &camera, &transfer, SIZE).image;
     let background = [0.1, 0.3, 0.2, 0.5];
     let frame = Frame { camera: &camera, transfer: &transfer, optics: &Optics::PLAIN, size: SIZE, background };
@@ -219,9 +219,9 @@ fn a_mesh_bound_in_parts_gives_the_same_picture() {
     let mesh = meshes::sample(Sample::Tangle, 180_000);
     assert!((131_072..196_608).contains(&mesh.tets.len()), "three parts: {}", mesh.tets.len());
     let (camera, transfer) = (camera(&mesh, DVec3::new(1.0, 0.7, 0.4), true), colorful(&mesh));
-    let whole = draw(&mut gpu::renderer(&mesh, Settings::default()), &camera, &transfer, SIZE);
+    let whole = draw(&mut gpu::renderer(&mesh, gpu::by_centroids()), &camera, &transfer, SIZE);
     for sort in [SortPlace::Host, SortPlace::Gpu] {
-        let settings = Settings { sort, ..Default::default() };
+        let settings = Settings { sort, ..gpu::by_centroids() };
         let mut renderer = GpuRenderer::new(small_bindings(), mesh.clone(), settings).unwrap_or_else(|e| panic!("{e}"));
         let parts = draw(&mut renderer, &camera, &transfer, SIZE);
         assert_eq!(cells(&parts, "drawn"), cells(&whole, "drawn"));
@@ -234,7 +234,7 @@ fn a_mesh_of_more_than_four_parts_is_refused_with_the_numbers() {
     let mesh = meshes::sample(Sample::Tangle, 280_000);
     let count = mesh.tets.len();
     assert!(count > 4 * 65_536);
-    let refusal = GpuRenderer::new(small_bindings(), mesh, Settings::default()).err().expect("a refusal");
+    let refusal = GpuRenderer::new(small_bindings(), mesh, gpu::by_centroids()).err().expect("a refusal");
     let Error::Device(text) = refusal else { panic!("another error: {refusal}") };
     assert!(text.contains(&count.to_string()) && text.contains("262144"), "{text}");
 }

@@ -54,7 +54,7 @@ fn hosts() -> Vec<Host> {
             up,
             near,
             forward,
-            around,
+            groups,
             film,
             film_step,
             start,

@@ -10,11 +10,11 @@ struct Strip {
     goes_on: u32,
 }
 
-@group(3) @binding(0) var<uniform> strip: Strip;
+@group(3) @binding(10) var<uniform> strip: Strip;
 // Of each pixel: fragments up to its end in its row.
-@group(3) @binding(1) var<storage, read> list_ends: array<u32>;
+@group(3) @binding(11) var<storage, read> list_ends: array<u32>;
 // Of each row: fragments of the rows before, as a wrapping number.
-@group(3) @binding(2) var<storage, read> row_bases: array<u32>;
+@group(3) @binding(12) var<storage, read> row_bases: array<u32>;
 
 // Of a list in the strip's, and its room.
 struct List {

@@ -9,8 +9,8 @@ struct Rays {
     // View depth where the picture begins, from that of the mesh's centre.
     near: f32,
     forward: vec3f,
-    // Sides of the cells around the eye.
-    around: u32,
+    // Groups of linked cells around the eye.
+    groups: u32,
     // Of the ray through `pixel`, the one nearest to the mesh's centre: x/z and y/z (perspective), and where the centre lies
     // from it, along `right` and `up` at its depth. And their change from pixel to pixel.
     film: vec2f,

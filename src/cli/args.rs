@@ -176,7 +176,7 @@ pub(super) struct ChoiceArgs {
     #[arg(long, default_value = "auto")]
     pub method: Method,
     /// In which order cells are blended
-    #[arg(long, default_value = "centroid")]
+    #[arg(long, default_value = "auto")]
     pub order: Order,
     /// How one ray segment in one cell is integrated: vertex-linear, mean-scalar, preintegrated[:N], partial[:N],
     /// partial-direct, analytic, segmented:N, adaptive[:TOLERANCE]
@@ -215,7 +215,11 @@ impl ChoiceArgs {
             },
             integral: self.integral,
             order: match self.order {
+                Order::Auto => renderer::OrderMethod::Auto,
                 Order::Centroid => renderer::OrderMethod::Centroid,
+                Order::Power => renderer::OrderMethod::Power,
+                Order::Mpvonc => renderer::OrderMethod::Mpvonc,
+                Order::Exact => renderer::OrderMethod::Exact,
                 Order::PerPixel => renderer::OrderMethod::PerPixel,
                 Order::Structured => renderer::OrderMethod::Structured,
             },
@@ -288,8 +292,16 @@ pub(super) enum Method {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Order {
+    /// The cheapest that the function and the mesh allow
+    Auto,
     /// View depth of the cell's centroid
     Centroid,
+    /// Power of the eye to the cells; exact for Delaunay meshes and stretched ones
+    Power,
+    /// Cells after those behind them, on the host; exact for convex meshes
+    Mpvonc,
+    /// The same, and across gaps; on the host
+    Exact,
     /// Each pixel's fragments by their own depth: exact
     PerPixel,
     /// Grids parallel to the axes: voxels as they lie around the eye, five tetrahedra each that are not stored; exact

@@ -7,6 +7,7 @@ use serde::ser::SerializeMap as _;
 use serde::{Serialize, Serializer};
 
 use super::args::{ChoiceArgs, Device, RenderArgs};
+use crate::plan::order::Inversions;
 use crate::renderer::{RayCounts, Stats};
 use crate::tet::Domain;
 
@@ -31,6 +32,10 @@ pub(super) struct Report<'a> {
     cells: Cells<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     rays: Option<Rays>,
+    #[serde(skip_serializing_if = "str::is_empty")]
+    order: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    inversions: Option<Pairs>,
     passes: Vec<Pass<'a>>,
     buffers: Vec<Buffer<'a>>,
     device_bytes: u64,
@@ -62,6 +67,13 @@ struct Rays {
     steps: u64,
     repaired: u64,
     lost: u64,
+}
+
+/// Neighbours that were drawn, and those in the wrong order.
+#[derive(Clone, Copy, Serialize)]
+struct Pairs {
+    pairs: u64,
+    wrong: u64,
 }
 
 /// An object whose keys stand in the order of the stages.
@@ -103,6 +115,8 @@ impl<'a> Report<'a> {
             image: ImageSize { width: size[0], height: size[1] },
             cells: Cells(&stats.cells),
             rays: stats.rays.map(|RayCounts { steps, repaired, lost }| Rays { steps, repaired, lost }),
+            order: &stats.order,
+            inversions: stats.inversions.map(|Inversions { pairs, wrong }| Pairs { pairs, wrong }),
             passes: passes.collect(),
             buffers: stats.buffers.iter().map(|b| Buffer { name: &b.name, bytes: b.bytes }).collect(),
             device_bytes: stats.buffers.iter().map(|b| b.bytes).sum(),
@@ -131,12 +145,18 @@ impl<'a> Report<'a> {
         let _ = writeln!(text, "on        {}", self.adapter);
         let _ = writeln!(
             text,
-            "plan      {:?}, {} integral, {:?} order, culling {}",
+            "plan      {:?}, {} integral, culling {}",
             choices.method,
             choices.integral,
-            choices.order,
             if choices.cull { "on" } else { "off" }
         );
+        if !self.order.is_empty() {
+            let _ = writeln!(text, "order     {}", self.order);
+        }
+        if let Some(Pairs { pairs, wrong }) = self.inversions {
+            let share = 100.0 * wrong as f64 / pairs.max(1) as f64;
+            let _ = writeln!(text, "order     {wrong:>12}  of {pairs} pairs of neighbours are wrong: {share:.3} %");
+        }
         if !self.pipelines.is_empty() {
             let _ = writeln!(text, "pipelines {}", self.pipelines);
         }

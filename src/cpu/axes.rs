@@ -15,6 +15,9 @@ pub struct RayAxes {
     offset: Vec4,
     /// Where the picture begins, along the ray.
     pub near: f32,
+    /// Of a unit of view depth, the distance along the ray, and where that is counted from.
+    per_depth: f64,
+    start: f64,
 }
 
 impl RayAxes {
@@ -42,7 +45,14 @@ impl RayAxes {
             z: axis(|v| v.z),
             offset: Vec4::new(offset(right), offset(up), offset(along), 0.0),
             near: (lens.near * length - start) as f32,
+            per_depth: length,
+            start,
         }
+    }
+
+    /// The distance along the ray of a view depth.
+    pub fn at_depth(&self, view_depth: f64) -> f64 {
+        view_depth * self.per_depth - self.start
     }
 
     /// Of each axis its components, and what is added to the products.

@@ -59,7 +59,7 @@ impl CurveMedium {
     /// Segments of which some lie over several pieces: those are split at the pieces' ends.
     #[inline(always)]
     fn split<S: Simd>(&self, kept: &mut PieceLanes<S>, segments: &Segments<S>) -> SeenLanes<S> {
-        let Segments { which, front: [front, _], back: [back, _], length } = *segments;
+        let Segments { which, front: [front, _], back: [back, _], length, .. } = *segments;
         let elsewhere = which & (kept.low.above(front) | front.above(kept.high));
         for lane in elsewhere.lanes() {
             kept.take(lane, self, self.holder(front.values()[lane]));
@@ -144,7 +144,7 @@ impl LaneMedium for CurveMedium {
 
     #[inline(always)]
     fn segments<S: Simd>(&self, kept: &mut PieceLanes<S>, segments: &Segments<S>) -> SeenLanes<S> {
-        let Segments { which, front: [front, _], back: [back, _], length } = *segments;
+        let Segments { which, front: [front, _], back: [back, _], length, .. } = *segments;
         let outside: Mask<S> = which & (kept.low.above(front.min(back)) | front.max(back).above(kept.high));
         if outside.any() {
             return self.split(kept, segments);

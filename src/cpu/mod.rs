@@ -42,6 +42,7 @@ mod curve;
 mod empty;
 mod face;
 mod lanes;
+mod listing;
 mod path;
 mod picture;
 mod preintegrated;

@@ -49,7 +49,7 @@ impl WithSimd for Measured<'_> {
         let mut length = 0.0;
         let sink = Lengths(Floats::splat(simd, 0.0));
         let rays = std::iter::once(self.ray);
-        let counts = self.setting.cast::<_, _, false>(simd, rays, sink, |_, seen| length = seen);
+        let counts = self.setting.cast::<_, _, false>(simd, rays, sink, |_, cast| length = cast.seen);
         (length, counts)
     }
 }

@@ -7,7 +7,8 @@ use rayon::prelude::*;
 use crate::cpu::cast::{Ray, Setting};
 use crate::cpu::composite::Composite;
 use crate::cpu::empty::EmptyCells;
-use crate::cpu::segment::LaneMedium;
+use crate::cpu::listing::{Listing, Lists};
+use crate::cpu::segment::{LaneMedium, Medium};
 use crate::image::Image;
 use crate::plan::entries::{BoundaryView, TileEntries};
 use crate::renderer::RayCounts;
@@ -30,17 +31,18 @@ pub struct Picture<'a> {
 
 impl Picture<'_> {
     /// `bivariate`: the medium asks for gradient magnitudes.
-    pub fn cast<M: LaneMedium>(&self, medium: &M, bivariate: bool) -> (Image, RayCounts) {
-        if bivariate { self.tiles::<M, true>(medium) } else { self.tiles::<M, false>(medium) }
+    /// `alone`: the same medium, for single segments.
+    pub fn cast<M: LaneMedium>(&self, medium: &M, alone: &dyn Medium, bivariate: bool) -> (Image, RayCounts) {
+        if bivariate { self.tiles::<M, true>(medium, alone) } else { self.tiles::<M, false>(medium, alone) }
     }
 
-    fn tiles<M: LaneMedium, const BIVARIATE: bool>(&self, medium: &M) -> (Image, RayCounts) {
+    fn tiles<M: LaneMedium, const BIVARIATE: bool>(&self, medium: &M, alone: &dyn Medium) -> (Image, RayCounts) {
         let tiles: Vec<(Vec<[f32; 4]>, RayCounts)> = (0..self.view.tile_count())
             .into_par_iter()
             .with_max_len(1)
             .map(|number| {
                 let entries = self.view.tile_entries(number, self.setting.lens, self.size);
-                self.arch.dispatch(Tile::<M, BIVARIATE> { picture: self, medium, number, entries })
+                self.arch.dispatch(Tile::<M, BIVARIATE> { picture: self, medium, alone, number, entries })
             })
             .collect();
         let mut image = Image::new(self.size[0], self.size[1]);
@@ -61,6 +63,7 @@ impl Picture<'_> {
 struct Tile<'a, M, const BIVARIATE: bool> {
     picture: &'a Picture<'a>,
     medium: &'a M,
+    alone: &'a dyn Medium,
     number: u32,
     entries: TileEntries,
 }
@@ -75,16 +78,31 @@ impl<M: LaneMedium, const BIVARIATE: bool> WithSimd for Tile<'_, M, BIVARIATE> {
         let [left, top] = view.tile_start(self.number);
         let [width, height] = [(size[0] - left).min(TILE), (size[1] - top).min(TILE)];
         let mut pixels = vec![background.to_array(); (width * height) as usize];
-        let rays = (0..width * height).filter_map(|number| {
+        let ray = |number: u32| {
             let (x, y) = (number % width, number / width);
             let entries = self.entries.of(x, y);
             let ray = || Ray { number: number as usize, film: setting.lens.film([left + x, top + y]), entries };
             (!entries.is_empty() || !setting.around.is_empty()).then(ray)
-        });
+        };
+        let over = |seen: Vec4| (seen + (1.0 - seen.w) * *background).to_array();
         let sink = Composite::new(simd, self.medium, empty, *least);
-        let counts = setting.cast::<_, _, BIVARIATE>(simd, rays, sink, |number, seen| {
-            pixels[number] = (seen + (1.0 - seen.w) * *background).to_array();
+        let mut overlapping = Vec::new();
+        let rays = (0..width * height).filter_map(ray);
+        let mut counts = setting.cast::<_, _, BIVARIATE>(simd, rays, sink, |number, cast| {
+            pixels[number] = over(cast.seen);
+            if cast.overlaps {
+                overlapping.push(number as u32);
+            }
         });
+        if !overlapping.is_empty() {
+            let lists = Lists::default();
+            let sink = Listing { medium: self.alone, empty, lists: &lists };
+            let rays = overlapping.into_iter().filter_map(ray);
+            let again = setting.cast::<_, _, BIVARIATE>(simd, rays, sink, |number, cast| {
+                pixels[number] = over(cast.seen);
+            });
+            counts = counts.plus(again);
+        }
         (pixels, counts)
     }
 }

@@ -119,13 +119,13 @@ impl CpuRenderer {
         let binned = start.elapsed();
         let bivariate = scene.compiled.is_bivariate();
         let (image, counts) = match &scene.compiled {
-            Compiled::Curve(medium) => picture.cast(medium, bivariate),
-            Compiled::Plain(medium) => picture.cast(medium, bivariate),
-            Compiled::Any(medium) => picture.cast(&LaneByLane(medium), bivariate),
-            Compiled::Adaptive(medium) => picture.cast(&LaneByLane(medium), bivariate),
-            Compiled::Partial(medium) => picture.cast(&LaneByLane(medium), bivariate),
-            Compiled::Points(medium) => picture.cast(&LaneByLane(medium), bivariate),
-            Compiled::PreIntegrated(medium) => picture.cast(&LaneByLane(medium), bivariate),
+            Compiled::Curve(medium) => picture.cast(medium, medium, bivariate),
+            Compiled::Plain(medium) => picture.cast(medium, medium, bivariate),
+            Compiled::Any(medium) => picture.cast(&LaneByLane(medium), medium, bivariate),
+            Compiled::Adaptive(medium) => picture.cast(&LaneByLane(medium), medium, bivariate),
+            Compiled::Partial(medium) => picture.cast(&LaneByLane(medium), medium, bivariate),
+            Compiled::Points(medium) => picture.cast(&LaneByLane(medium), medium, bivariate),
+            Compiled::PreIntegrated(medium) => picture.cast(&LaneByLane(medium), medium, bivariate),
         };
         let cast = start.elapsed();
         Ok(Drawn { image, counts, times: [prepared, binned - prepared, cast - binned] })
@@ -153,6 +153,8 @@ impl CpuRenderer {
             passes: if timed { passes.map(pass).collect() } else { Vec::new() },
             buffers: sizes.map(|(name, bytes)| BufferSize { name: name.into(), bytes: bytes as u64 }).collect(),
             adapter: format!("CPU ({} threads, ray casting)", rayon::current_num_threads()),
+            order: "along each ray: exact".to_owned(),
+            inversions: None,
             notes: Vec::new(),
         }
     }

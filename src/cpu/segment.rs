@@ -23,6 +23,8 @@ pub struct Segments<S: Simd> {
     pub back: [Floats<S>; 2],
     /// Mesh units.
     pub length: Floats<S>,
+    /// Distance of the middle along the ray.
+    pub middle: Floats<S>,
 }
 
 impl Segments<Scalar> {
@@ -30,7 +32,7 @@ impl Segments<Scalar> {
     pub fn one(front: [f32; 2], back: [f32; 2], length: f32) -> Self {
         let float = |value: f32| Floats::splat(Scalar, value);
         let (front, back, length) = (front.map(float), back.map(float), float(length));
-        Self { which: length.above(float(0.0)), front, back, length }
+        Self { which: length.above(float(0.0)), front, back, length, middle: float(0.0) }
     }
 }
 
@@ -80,7 +82,7 @@ impl LaneMedium for LaneByLane<'_> {
 
     #[inline(always)]
     fn segments<S: Simd>(&self, (): &mut (), segments: &Segments<S>) -> SeenLanes<S> {
-        let Segments { which, front, back, length } = segments;
+        let Segments { which, front, back, length, .. } = segments;
         let zero = length.all(0.0);
         let mut seen = SeenLanes { color: [zero; 3], opacity: zero };
         for lane in which.lanes() {

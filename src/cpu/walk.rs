@@ -161,7 +161,7 @@ impl<S: Simd> Walks<S> {
 
     /// Through one cell. The lanes whose walks end.
     #[inline(always)]
-    fn step<K: Sink<S>, const BIVARIATE: bool>(&mut self, ground: &Ground<'_>, sink: &mut K) -> Mask<S> {
+    pub fn step<K: Sink<S>, const BIVARIATE: bool>(&mut self, ground: &Ground<'_>, sink: &mut K) -> Mask<S> {
         // Lanes without a walk follow any cells.
         self.links = self.live.words(self.links, self.word(0));
         let entered = self.links;
@@ -303,7 +303,8 @@ impl<S: Simd> Walks<S> {
         (self.depth, self.at) = (new_depth, [scalar, gradient]);
         let which = if sink.is_choosy() { ahead & self.wanted(sink, entered) } else { ahead };
         let length = which.floats(new_depth - reached, sum.all(0.0));
-        sink.segments(&Segments { which, front, back: self.at, length })
+        let middle = (new_depth + reached) * sum.all(0.5);
+        sink.segments(&Segments { which, front, back: self.at, length, middle })
     }
 
     /// The lanes whose cells the sink wants.

@@ -33,6 +33,10 @@ pub struct CellBuffers {
     pub counts: wgpu::Buffer,
     /// Arguments of an indexed draw a chunk.
     pub draws: wgpu::Buffer,
+    /// What power keys are made of; 16 bytes until a scene needs it.
+    pub power_rows: wgpu::Buffer,
+    /// Ranks of cells; 16 bytes until a scene needs it.
+    pub ranks: wgpu::Buffer,
     /// Clip position of each vertex.
     pub projected: wgpu::Buffer,
     /// Corners of one chunk's cells.
@@ -62,6 +66,8 @@ impl CellBuffers {
             block_offsets: gpu.buffer("block_offsets", blocks * 4, STORAGE),
             counts: gpu.buffer("counts", size_of::<layout::Counts>() as u64, indirect | wgpu::BufferUsages::COPY_SRC),
             draws: gpu.buffer("draws", chunks * 20, indirect),
+            power_rows: gpu.buffer("power_rows", 16, written),
+            ranks: gpu.buffer("ranks", 16, written),
             projected: gpu.buffer("projected", vertices * 8, STORAGE),
             corners: corners(gpu, u64::from(chunk_cells) * CORNER_BYTES),
             keys: gpu.buffer("keys", most_drawn * 4, copied),
@@ -78,7 +84,7 @@ impl CellBuffers {
     }
 
     /// Labels and buffers, for the report.
-    pub fn list(&self) -> [(&'static str, &wgpu::Buffer); 14] {
+    pub fn list(&self) -> [(&'static str, &wgpu::Buffer); 16] {
         [
             ("candidates", &self.candidates),
             ("clipped", &self.clipped),
@@ -90,6 +96,8 @@ impl CellBuffers {
             ("block_offsets", &self.block_offsets),
             ("counts", &self.counts),
             ("draws", &self.draws),
+            ("power_rows", &self.power_rows),
+            ("ranks", &self.ranks),
             ("projected", &self.projected),
             ("corners", &self.corners),
             ("keys", &self.keys),

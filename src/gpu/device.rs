@@ -466,7 +466,7 @@ mod tests {
 
     #[test]
     fn no_pass_of_projection_binds_more_than_is_asked_for() {
-        let of_rays = ["raycast", "occupied"];
+        let of_rays = ["raycast", "raylist", "occupied"];
         let count = |pass| storage_buffers(&Module::new(pass).expect("a pass"));
         let most = pass_names().filter(|pass| !of_rays.contains(pass)).map(count).max();
         assert_eq!(most, Some(MOST_STORAGE_BUFFERS));

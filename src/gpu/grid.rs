@@ -217,6 +217,8 @@ impl Renderer for GridRenderer {
             buffers: self.store.samples_held().into_iter().chain(self.store.working()).map(size).collect(),
             adapter: self.gpu.describe(),
             pipelines: format!("{kind}; outlines are drawn, of implied tetrahedra"),
+            order: "structured: exact, as voxels lie around the eye".to_owned(),
+            inversions: None,
             rays: None,
         };
         let image = self.target.as_ref().ok_or_else(unprepared)?.read(&self.gpu)?;

@@ -38,7 +38,7 @@ pub struct Rays {
     pub up: [f32; 3],
     pub near: f32,
     pub forward: [f32; 3],
-    pub around: u32,
+    pub groups: u32,
     pub film: [f32; 2],
     pub film_step: [f32; 2],
     pub start: [f32; 2],

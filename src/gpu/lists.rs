@@ -5,6 +5,7 @@
 use crate::error::{Error, Result};
 use crate::gpu::device::{Gpu, Kernel, Resources};
 use crate::gpu::layout;
+use crate::gpu::record::{Recorder, Work};
 use crate::renderer::BufferSize;
 
 /// Bytes of a listed fragment's colour; its depth and its rank are less.
@@ -24,24 +25,23 @@ const SOFTWARE_TURNS: u32 = 5_000;
 const HARDWARE_TURNS: u32 = 100_000;
 
 /// Pixels of a workgroup of `compose.wgsl`.
-pub const GROUP: u32 = 64;
+const GROUP: u32 = 64;
 
 /// Buffers and kernels of the lists of a picture.
 pub struct FragmentLists {
     /// Numbers the fragments of each row.
     pub rows: Kernel,
-    /// Sorts and composes.
-    pub compose: Kernel,
+    compose: Kernel,
     /// [`layout::Strip`].
     pub strip: wgpu::Buffer,
     /// Counts, a word a pixel.
     pub fragments: wgpu::Buffer,
     /// Fragments of each row.
-    pub row_totals: wgpu::Buffer,
+    row_totals: wgpu::Buffer,
     /// Pixels that are left to the next dispatch.
-    pub unfinished: wgpu::Buffer,
+    unfinished: wgpu::Buffer,
     /// Fragments beyond those counted.
-    pub unlisted: wgpu::Buffer,
+    unlisted: wgpu::Buffer,
     list_ends: wgpu::Buffer,
     row_bases: wgpu::Buffer,
     depths: wgpu::Buffer,
@@ -86,12 +86,13 @@ impl FragmentLists {
         if gpu.is_software() { SOFTWARE_TURNS } else { HARDWARE_TURNS }
     }
 
-    /// For pictures of one size; `turns`: after which a dispatch leaves a pixel.
+    /// For pictures of one size; `turns`: after which a dispatch leaves a pixel; `keeps_others`: pixels without fragments
+    /// stay as they are.
     ///
     /// # Errors
     /// A shader that does not compile; a picture whose pixels the device cannot count.
-    pub fn new(gpu: &Gpu, size: [u32; 2], turns: u32) -> Result<Self> {
-        let constants = [("MOST_TURNS", f64::from(turns))];
+    pub fn new(gpu: &Gpu, size: [u32; 2], turns: u32, keeps_others: bool) -> Result<Self> {
+        let constants = [("MOST_TURNS", f64::from(turns)), ("KEEPS_OTHERS", f64::from(u8::from(keeps_others)))];
         let pixels = u64::from(size[0]) * u64::from(size[1]);
         if pixels * 4 > gpu.max_binding {
             return Err(Error::Device(format!(
@@ -172,6 +173,50 @@ impl FragmentLists {
             }
         }
         Ok(strips)
+    }
+
+    /// Forgets what was counted.
+    pub fn clear(&self, recorder: &mut Recorder<'_>) {
+        recorder.encoder().clear_buffer(&self.fragments, 0, None);
+        recorder.encoder().clear_buffer(&self.unlisted, 0, None);
+    }
+
+    /// Sorts and composes a strip that was listed, into the picture of `resources`.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn compose(
+        &self,
+        gpu: &Gpu,
+        recorder: &mut Recorder<'_>,
+        resources: &Resources<'_>,
+        strip: Strip,
+    ) -> Result<()> {
+        let groups = self.compose.bind(gpu, resources)?;
+        let mut uniform = strip.uniform();
+        loop {
+            recorder.encoder().clear_buffer(&self.unfinished, 0, None);
+            recorder.compute(&self.compose, &groups, Work::Groups((strip.end - strip.first).div_ceil(GROUP)))?;
+            recorder.submit();
+            let unfinished: Vec<u32> = gpu.read(&self.unfinished, 4)?;
+            if unfinished == [0] {
+                return Ok(());
+            }
+            uniform.goes_on = 1;
+            gpu.queue.write_buffer(&self.strip, 0, bytemuck::bytes_of(&uniform));
+        }
+    }
+
+    /// That all fragments were listed.
+    ///
+    /// # Errors
+    /// Fragments that had not been counted; a lost device.
+    pub fn check(&self, gpu: &Gpu) -> Result<()> {
+        let unlisted: Vec<u32> = gpu.read(&self.unlisted, 4)?;
+        if unlisted == [0] {
+            return Ok(());
+        }
+        Err(Error::Device(format!("internal: {unlisted:?} fragments were drawn that had not been counted")))
     }
 
     /// Adds what shaders bind.

@@ -11,6 +11,7 @@ mod light;
 mod linked;
 mod lists;
 mod mesh;
+mod ordering;
 mod raycast;
 mod rays;
 mod record;

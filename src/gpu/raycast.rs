@@ -1,14 +1,16 @@
 //! Ray casting on the GPU: one compute pass walks every pixel's ray from cell to cell.
 
 use std::collections::VecDeque;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
 
 use crate::error::{Error, Result};
 use crate::gpu::device::{Gpu, Kernel, Resources};
+use crate::gpu::frame;
 use crate::gpu::layout;
 use crate::gpu::light::{self, Shading};
 use crate::gpu::linked::LinkedBuffers;
+use crate::gpu::lists::FragmentLists;
 use crate::gpu::rays;
 use crate::gpu::record::{Recorder, Work};
 use crate::gpu::renderer::unprepared;
@@ -52,10 +54,26 @@ pub struct RayCaster {
     states: wgpu::Buffer,
     unfinished: wgpu::Buffer,
     unfinished_mapped: wgpu::Buffer,
+    /// A count, and a bit a pixel: rays that pass two cells at once.
+    overlapping: wgpu::Buffer,
+    lists: Option<FragmentLists>,
     known_kernels: VecDeque<Arc<CastKernels>>,
     most_turns: u32,
     scene: Option<Scene>,
     target: Option<Target>,
+}
+
+/// A pass that casts rays.
+struct Pass<'a> {
+    kernel: &'a Kernel,
+    /// Where it lists segments, if it does.
+    lists: Option<&'a FragmentLists>,
+}
+
+/// Where the times of passes go.
+struct Timed<'a> {
+    timed: bool,
+    passes: &'a mut Vec<PassTime>,
 }
 
 /// What depends on the transfer function and what shaders are specialised to.
@@ -74,6 +92,18 @@ struct CastKernels {
     constants: Vec<(&'static str, f64)>,
     mark: Kernel,
     raycast: Kernel,
+    /// Counts, and lists, the segments of rays that pass two cells at once; made when such were met.
+    list: OnceLock<[Kernel; 2]>,
+}
+
+impl CastKernels {
+    fn list(&self, gpu: &Gpu) -> Result<&[Kernel; 2]> {
+        if self.list.get().is_none() {
+            let made = |lists: f64| gpu.kernel("raylist", &[&self.constants[..], &[("LISTS", lists)]].concat());
+            let _ = self.list.set([made(0.0)?, made(1.0)?]);
+        }
+        self.list.get().ok_or_else(unprepared)
+    }
 }
 
 impl RayCaster {
@@ -89,7 +119,7 @@ impl RayCaster {
         let light = gpu.uniform("light", &[layout::Light::default()]);
         let most_turns = if gpu.is_software() { SOFTWARE_TURNS } else { HARDWARE_TURNS };
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
-        let [entries, tallies, states, unfinished] = [(); 4].map(|()| gpu.buffer("rays", 0, usage));
+        let [entries, tallies, states, unfinished, overlapping] = [(); 5].map(|()| gpu.buffer("rays", 0, usage));
         let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
         let unfinished_mapped = gpu.buffer("unfinished, mapped", 0, usage);
         Ok(Self {
@@ -105,6 +135,8 @@ impl RayCaster {
             states,
             unfinished,
             unfinished_mapped,
+            overlapping,
+            lists: None,
             known_kernels: VecDeque::new(),
             most_turns,
             scene: None,
@@ -185,7 +217,7 @@ impl RayCaster {
         }
         let mark = self.gpu.kernel("occupied", &constants)?;
         let raycast = self.gpu.kernel("raycast", &constants)?;
-        let made = Arc::new(CastKernels { constants, mark, raycast });
+        let made = Arc::new(CastKernels { constants, mark, raycast, list: OnceLock::new() });
         if self.known_kernels.len() == MOST_KERNELS {
             self.known_kernels.pop_front();
         }
@@ -202,35 +234,111 @@ impl RayCaster {
             self.target = Some(Target::new(&self.gpu, frame.size, false)?);
         }
         let start = Instant::now();
-        let around = self.bin(&lens, frame.size)?;
+        let groups = self.bin(&lens, frame.size)?;
         let work = format!("{} boundary faces", self.linked.boundary.faces.len());
         let mut passes = vec![PassTime { pass: "host: bin".to_owned(), work, time: start.elapsed() }];
         let least = self.settings.least_transmittance;
-        let mut uniform = rays::uniform(&lens, frame.size, around, least, frame.background);
+        let mut uniform = rays::uniform(&lens, frame.size, groups, least, frame.background);
         let light = light::uniform(frame.optics, &frame.camera.basis());
         self.gpu.queue.write_buffer(&self.light, 0, bytemuck::bytes_of(&light));
-        let [columns, rows] = frame.size.map(|n| n.div_ceil(TILE));
+        let pixels = u64::from(frame.size[0]) * u64::from(frame.size[1]);
+        grow(&self.gpu, &mut self.overlapping, "overlapping", 4 + pixels.div_ceil(32) * 4)?;
+        let mut recorder = Recorder::new(&self.gpu, false);
+        recorder.encoder().clear_buffer(&self.overlapping, 0, None);
+        recorder.submit();
+        let rows = frame.size[1].div_ceil(TILE);
         let row_bytes = u64::from(frame.size[0] * TILE) * STATE_BYTES;
         let most = (MOST_STATES.min(self.gpu.max_binding) / row_bytes).clamp(1, rows.into()) as u32;
         grow(&self.gpu, &mut self.states, "states", u64::from(most) * row_bytes)?;
-        for first in (0..rows).step_by(most as usize) {
-            (uniform.first_row, uniform.goes_on) = (first, 0);
-            // Each dispatch takes every ray that is left on by one turn at least.
-            while self.cast(&uniform, [columns, most.min(rows - first)], timed, &mut passes)? > 0 {
-                uniform.goes_on = 1;
-            }
+        let kernels = Arc::clone(&self.scene.as_ref().ok_or_else(unprepared)?.kernels);
+        self.cast(
+            &Pass { kernel: &kernels.raycast, lists: None },
+            &mut uniform,
+            [0, rows],
+            &mut Timed { timed, passes: &mut passes },
+        )?;
+        let overlapping: Vec<u32> = self.gpu.read(&self.overlapping, 4)?;
+        if overlapping != [0] {
+            self.cast_lists(&kernels, &mut uniform, frame, &mut Timed { timed, passes: &mut passes })?;
         }
         Ok(passes)
     }
 
-    /// Sorts the boundary into the picture's tiles. How many sides of cells hold the eye.
+    /// Casts the rays that pass two cells at once again, lists their segments, and composes these by their depths.
+    fn cast_lists(
+        &mut self,
+        kernels: &CastKernels,
+        uniform: &mut layout::Rays,
+        frame: &Frame<'_>,
+        to: &mut Timed<'_>,
+    ) -> Result<()> {
+        let [count, list] = kernels.list(&self.gpu)?;
+        let mut lists = match self.lists.take().filter(|lists| lists.are_of(frame.size)) {
+            Some(lists) => lists,
+            None => FragmentLists::new(&self.gpu, frame.size, FragmentLists::turns(&self.gpu), true)?,
+        };
+        let (gpu, target) = (&self.gpu, self.target.as_ref().ok_or_else(unprepared)?);
+        let camera = gpu.uniform("frame", &[frame::camera_uniform(frame, &*self.mesh)]);
+        let resources = Resources::default().with("frame", &camera).with_texture("picture", &target.picture);
+        let mut recorder = Recorder::new(gpu, to.timed);
+        lists.clear(&mut recorder);
+        recorder.submit();
+        let rows = frame.size[1].div_ceil(TILE);
+        self.cast(&Pass { kernel: count, lists: Some(&lists) }, uniform, [0, rows], to)?;
+        let groups = lists.rows.bind(gpu, &lists.offer(resources.clone()))?;
+        recorder.compute(&lists.rows, &groups, Work::Groups(frame.size[1]))?;
+        recorder.submit();
+        let strips = lists.plan(gpu)?;
+        recorder.encoder().clear_buffer(&lists.fragments, 0, None);
+        recorder.submit();
+        for strip in strips {
+            gpu.queue.write_buffer(&lists.strip, 0, bytemuck::bytes_of(&strip.uniform()));
+            let [top, height] = strip.rows(frame.size[0]);
+            let rows = [top / TILE, (top + height).div_ceil(TILE)];
+            self.cast(&Pass { kernel: list, lists: Some(&lists) }, uniform, rows, to)?;
+            lists.compose(gpu, &mut recorder, &lists.offer(resources.clone()), strip)?;
+        }
+        lists.check(gpu)?;
+        to.passes.extend(recorder.finish()?);
+        self.lists = Some(lists);
+        Ok(())
+    }
+
+    /// Runs a pass over rows of tiles, slab by slab, until all rays have come through.
+    fn cast(
+        &self,
+        pass: &Pass<'_>,
+        uniform: &mut layout::Rays,
+        [start, end]: [u32; 2],
+        to: &mut Timed<'_>,
+    ) -> Result<()> {
+        let columns = uniform.size[0].div_ceil(TILE);
+        let row_bytes = u64::from(uniform.size[0] * TILE) * STATE_BYTES;
+        let most = (self.states.size() / row_bytes).max(1) as u32;
+        for first in (start..end).step_by(most as usize) {
+            (uniform.first_row, uniform.goes_on) = (first, 0);
+            // Each dispatch takes every ray that is left on by one turn at least.
+            while self.cast_slab(pass, uniform, [columns, most.min(end - first)], to)? > 0 {
+                uniform.goes_on = 1;
+            }
+        }
+        Ok(())
+    }
+
+    /// Sorts the boundary into the picture's tiles. How many groups of linked cells hold the eye.
     fn bin(&mut self, lens: &Lens, size: [u32; 2]) -> Result<u32> {
         let around = eye::sides_around(&self.linked, lens);
         let view = BoundaryView::new(&self.linked.boundary, lens, size, TILE, &around);
-        let mut entries: Vec<u32> = around.iter().map(|side| side.packed()).collect();
+        let groups = eye::groups(&self.linked, &around);
         let (starts, sides) = view.packed_tiles();
-        let first = (around.len() + starts.len()) as u32;
+        let first = (groups.len() + 1 + starts.len()) as u32;
+        let mut entries = vec![first];
+        for group in &groups {
+            entries.push(entries[entries.len() - 1] + group.len() as u32);
+        }
+        let first = first + around.len() as u32;
         entries.extend(starts.iter().map(|start| first + start));
+        entries.extend(groups.iter().flatten().map(|side| side.packed()));
         entries.extend(sides);
         let tallies = vec![0_u32; TALLIES * view.tile_count() as usize];
         for (buffer, label, words) in
@@ -239,22 +347,23 @@ impl RayCaster {
             grow(&self.gpu, buffer, label, size_of_val(&words[..]) as u64)?;
             self.gpu.write(buffer, 0, bytemuck::cast_slice(words));
         }
-        Ok(around.len() as u32)
+        Ok(groups.len() as u32)
     }
 
     /// One dispatch over a slab of tiles. How many of its rays have not come through.
-    fn cast(&self, uniform: &layout::Rays, tiles: [u32; 2], timed: bool, passes: &mut Vec<PassTime>) -> Result<u32> {
+    fn cast_slab(&self, pass: &Pass<'_>, uniform: &layout::Rays, tiles: [u32; 2], to: &mut Timed<'_>) -> Result<u32> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let target = self.target.as_ref().ok_or_else(unprepared)?;
         self.gpu.queue.write_buffer(&self.rays, 0, bytemuck::bytes_of(uniform));
         let resources = self.resources(scene).with_texture("picture", &target.picture);
-        let raycast = &scene.kernels.raycast;
-        let groups = raycast.bind(&self.gpu, &resources)?;
-        let mut recorder = Recorder::new(&self.gpu, timed);
+        let resources = pass.lists.iter().fold(resources, |resources, lists| lists.offer(resources));
+        let resources = resources.with("unfinished", &self.unfinished);
+        let groups = pass.kernel.bind(&self.gpu, &resources)?;
+        let mut recorder = Recorder::new(&self.gpu, to.timed);
         recorder.encoder().clear_buffer(&self.unfinished, 0, None);
-        recorder.compute(raycast, &groups, Work::Tiles(tiles))?;
+        recorder.compute(pass.kernel, &groups, Work::Tiles(tiles))?;
         recorder.encoder().copy_buffer_to_buffer(&self.unfinished, 0, &self.unfinished_mapped, 0, 4);
-        passes.extend(recorder.finish()?);
+        to.passes.extend(recorder.finish()?);
         let unfinished: Vec<u32> = self.gpu.map(&self.unfinished_mapped, 4)?;
         unfinished.first().copied().ok_or_else(unprepared)
     }
@@ -263,12 +372,12 @@ impl RayCaster {
         scene
             .transfer
             .offer(self.store.resources())
+            .with("overlapping", &self.overlapping)
             .with("rays", &self.rays)
             .with("light", &self.light)
             .with("entries", &self.entries)
             .with("tallies", &self.tallies)
             .with("states", &self.states)
-            .with("unfinished", &self.unfinished)
             .with("occupied", &scene.occupied)
     }
 
@@ -298,6 +407,8 @@ impl RayCaster {
             adapter: self.gpu.describe(),
             pipelines: format!("{kind}; cells are held in the {layout} layout"),
             rays: Some(RayCounts { steps: total(0), repaired: total(1), lost: total(2) }),
+            order: "along each ray: exact".to_owned(),
+            inversions: None,
             notes: Vec::new(),
         })
     }

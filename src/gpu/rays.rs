@@ -5,14 +5,14 @@ use glam::{DVec2, DVec3};
 use crate::gpu::layout;
 use crate::plan::lens::Lens;
 
-/// What `shared/ray.wgsl` reads. `around`: how many sides of cells hold the eye.
+/// What `shared/ray.wgsl` reads. `groups`: of linked cells around the eye, how many.
 ///
 /// Everything is counted from the mesh's centre and the ray that passes nearest to it, in f64: neither a far eye nor a
 /// picture much larger than the mesh costs digits.
 pub fn uniform(
     lens: &Lens,
     size: [u32; 2],
-    around: u32,
+    groups: u32,
     least_transmittance: f64,
     background: [f32; 4],
 ) -> layout::Rays {
@@ -30,7 +30,7 @@ pub fn uniform(
         up: lens.basis.up.as_vec3().to_array(),
         near: (lens.near - center.z) as f32,
         forward: lens.basis.forward.as_vec3().to_array(),
-        around,
+        groups,
         film: f32s(film),
         film_step: f32s(lens.film_step),
         start: f32s(center.truncate() - depth * film),

@@ -14,6 +14,7 @@ use crate::gpu::layout;
 use crate::gpu::light::{self, Shading};
 use crate::gpu::lists::FragmentLists;
 use crate::gpu::mesh::TetRange;
+use crate::gpu::ordering::{Keys, Ordering};
 use crate::gpu::record::{Recorder, Work};
 use crate::gpu::scene::{self, GUARD, LONGEST_HAIR, SceneKernels, Spans, Variant};
 use crate::gpu::slabs::{MOST_LAYERS, Slabs};
@@ -55,6 +56,7 @@ pub struct GpuRenderer {
     scene: Option<SceneKernels>,
     target: Option<Target>,
     slabs: Slabs,
+    ordering: Ordering,
     lists: Option<FragmentLists>,
     most_turns: u32,
 }
@@ -79,8 +81,6 @@ impl GpuRenderer {
             return Err(Error::Asked("a structured order is a grid's: make a GridRenderer".into()));
         }
         let f16 = match settings.blend {
-            // Lists are composed in f32 on every device.
-            _ if settings.order == OrderMethod::PerPixel => false,
             BlendFormat::Auto => !gpu.blends_f32(),
             BlendFormat::F16 => true,
             BlendFormat::F32 if gpu.blends_f32() => false,
@@ -106,6 +106,7 @@ impl GpuRenderer {
             scene: None,
             target: None,
             slabs: Slabs::default(),
+            ordering: Ordering::default(),
             lists: None,
             most_turns,
         })
@@ -189,7 +190,7 @@ impl GpuRenderer {
         let mut spans = None;
         // Spans are drawn by the exact integral.
         let exact = matches!(self.settings.integral, SegmentIntegral::Analytic | SegmentIntegral::Adaptive { .. });
-        let in_spans = in_spans && emission == EmissionModel::Weighted && !self.lists_fragments();
+        let in_spans = in_spans && emission == EmissionModel::Weighted && !variant.lists;
         if curve && in_spans && exact && variant.shading.allows_spans() {
             let totals = self.band_totals()?;
             let pays = f64::from(totals.bands) > PAIRS_PAY * f64::from(totals.pairs);
@@ -256,13 +257,18 @@ impl GpuRenderer {
     fn draw_frame(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Drawn> {
         light::check(frame.optics)?;
         let perspective = matches!(frame.camera.projection, Projection::Perspective { .. });
-        let variant = Variant { perspective, cover: self.cover, shading: Shading::of(frame.optics) };
+        let choice = self.ordering.choose(&self.mesh, self.settings.order, frame);
+        let lists = choice.method == OrderMethod::PerPixel;
+        let variant = Variant { perspective, cover: self.cover, shading: Shading::of(frame.optics), lists };
         self.prepare_scene(frame.transfer, frame.optics.emission, variant)?;
         if self.target.as_ref().is_none_or(|t| t.size != frame.size) {
             self.target = Some(Target::new(&self.gpu, frame.size, self.f16)?);
         }
         let cut = near::cut(&self.mesh, frame.camera, f64::from(frame.size[0]) / f64::from(frame.size[1]));
         let pieces = cut.as_ref().map(|cut| self.prepare_near_cut(cut)).transpose()?;
+        let near = cut.as_ref().zip(pieces);
+        let keys = self.ordering.prepare(&self.gpu, &mut self.store, &self.mesh, choice.method, frame, near)?;
+        self.scene.as_mut().ok_or_else(unprepared)?.need_keys(&self.gpu, keys)?;
         let uniform = self.frame_uniform(frame, pieces);
         self.gpu.queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&uniform));
         let light = light::uniform(frame.optics, &frame.camera.basis());
@@ -270,7 +276,7 @@ impl GpuRenderer {
         let has_viewport = frame.size.iter().all(|&n| n <= self.gpu.device.limits().max_texture_dimension_2d / 2);
         let clipped = !has_viewport || pieces.is_some() || !frame::lies_within(frame, &*self.mesh, GUARD, LONGEST_HAIR);
         let mut lists = None;
-        if self.lists_fragments() {
+        if variant.lists {
             lists = Some(self.need_lists(frame.size, clipped)?);
         } else {
             self.need_raster(clipped)?;
@@ -278,8 +284,12 @@ impl GpuRenderer {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let all = self.resources(&scene.transfer);
         let mut recorder = Recorder::new(&self.gpu, timed);
-        let order = self.sort_cells(&mut recorder, &all, pieces, uniform.vertex_count)?;
+        let order = self.sort_cells(&mut recorder, &all, pieces, uniform.vertex_count, keys)?;
         let mut notes = Vec::new();
+        let cycles = self.ordering.cycles(choice.method);
+        if cycles > 0 {
+            notes.push(format!("{cycles} circles of cells hide one another: in each, two are in the wrong order"));
+        }
         if let Some(p) = pieces {
             notes.push(format!("cells near the eye were cut: {} pieces of them are drawn instead", p.range.count));
         }
@@ -304,14 +314,12 @@ impl GpuRenderer {
         let interpolation = if clipped { "in perspective, as outlines may be clipped" } else { "linearly" };
         let kind = scene.transfer.describe(self.settings.integral, scene.spans.map(|s| s.paired));
         let pipelines = format!("{kind}; {} are drawn, and values interpolated {interpolation}", self.cover.describe());
-        let stats = Stats { passes, notes, pipelines, adapter: self.gpu.describe(), ..Default::default() };
-        self.lists = lists;
+        let order = format!("{}: {}", choice.method, choice.why);
+        let stats = Stats { passes, notes, pipelines, order, adapter: self.gpu.describe(), ..Default::default() };
+        if lists.is_some() {
+            self.lists = lists;
+        }
         Ok(Drawn { stats, pieces })
-    }
-
-    /// Whether the picture is made of lists of fragments.
-    fn lists_fragments(&self) -> bool {
-        self.settings.order == OrderMethod::PerPixel
     }
 
     /// Makes the passes of this frame that list fragments, and takes the lists out, made for its size.
@@ -320,7 +328,7 @@ impl GpuRenderer {
         scene.need_lists(&self.gpu, clipped)?;
         match self.lists.take().filter(|lists| lists.are_of(size)) {
             Some(lists) => Ok(lists),
-            None => FragmentLists::new(&self.gpu, size, self.most_turns),
+            None => FragmentLists::new(&self.gpu, size, self.most_turns, false),
         }
     }
 
@@ -344,8 +352,10 @@ impl GpuRenderer {
         all: &Resources<'_>,
         pieces: Option<Pieces>,
         vertices: u32,
+        keys: Keys,
     ) -> Result<Option<Vec<u32>>> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
+        let keys = scene.keys(keys).ok_or_else(unprepared)?;
         let gpu = &self.gpu;
         recorder.compute(&scene.vertices, &scene.vertices.bind(gpu, all)?, Work::Items(vertices))?;
         let ranges = self.store.range_resources(all, pieces);
@@ -357,7 +367,7 @@ impl GpuRenderer {
         }
         recorder.compute(&scene.compact, &scene.compact.bind(gpu, all)?, Work::Groups(1))?;
         for (range, part) in &ranges {
-            recorder.compute(&scene.keys, &scene.keys.bind(gpu, part)?, words(range))?;
+            recorder.compute(keys, &keys.bind(gpu, part)?, words(range))?;
         }
         let cells = &self.store.cells;
         self.store.sorter.sort(gpu, recorder, &cells.counts, &cells.keys, &cells.order)
@@ -412,6 +422,10 @@ impl Renderer for GpuRenderer {
     fn render(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Rendered> {
         let Drawn { mut stats, pieces } = self.draw_frame(frame, timed)?;
         stats.cells = self.cell_counts(pieces)?;
+        // Where fragments were listed, the order of cells is nobody's concern.
+        if timed && self.scene.as_ref().is_some_and(|s| !s.variant.lists) {
+            stats.inversions = Some(self.ordering.inversions(&self.mesh, frame.camera, &self.order()?));
+        }
         let size = |(name, buffer): (&str, &wgpu::Buffer)| BufferSize { name: name.to_owned(), bytes: buffer.size() };
         stats.buffers = self.store.list().into_iter().map(size).collect();
         stats.buffers.extend(self.lists.iter().flat_map(FragmentLists::sizes));

@@ -5,6 +5,7 @@ use crate::gpu::cover::Cover;
 use crate::gpu::device::{DrawKernel, Gpu, Kernel};
 use crate::gpu::layout::BandTotals;
 use crate::gpu::light::Shading;
+use crate::gpu::ordering::Keys;
 use crate::gpu::shader::Module;
 use crate::gpu::transfer::TransferBuffers;
 
@@ -17,6 +18,8 @@ pub struct Variant {
     pub cover: Cover,
     /// Lighting and silhouettes.
     pub shading: Shading,
+    /// Fragments are listed, not blended.
+    pub lists: bool,
 }
 
 /// A scene's transfer function and kernels.
@@ -38,7 +41,7 @@ pub struct SceneKernels {
     /// Counts to offsets.
     pub compact: Kernel,
     /// Lists survivors and their keys.
-    pub keys: Kernel,
+    keys: [Option<Kernel>; Keys::ALL.len()],
     /// Corners of a chunk.
     pub corners: Kernel,
     /// Draws a chunk.
@@ -167,7 +170,7 @@ impl SceneKernels {
             cull: gpu.kernel("cull", &constants)?,
             cull_near: None,
             compact: gpu.kernel("compact", &constants)?,
-            keys: gpu.kernel("keys", &constants)?,
+            keys: Default::default(),
             corners: gpu.kernel(variant.cover.pass(), &constants)?,
             f16,
             raster: Default::default(),
@@ -192,6 +195,23 @@ impl SceneKernels {
             self.cull_near = Some(gpu.kernel("cull", &constants)?);
         }
         Ok(())
+    }
+
+    /// Makes the pass that lists survivors, with such keys.
+    ///
+    /// # Errors
+    /// A shader that does not compile.
+    pub fn need_keys(&mut self, gpu: &Gpu, keys: Keys) -> Result<()> {
+        if self.keys(keys).is_none() {
+            let constants = [&self.constants[..], &[keys.constant()]].concat();
+            self.keys[keys as usize] = Some(gpu.kernel("keys", &constants)?);
+        }
+        Ok(())
+    }
+
+    /// The pass that lists survivors, after [`Self::need_keys`].
+    pub fn keys(&self, keys: Keys) -> Option<&Kernel> {
+        self.keys[keys as usize].as_ref()
     }
 
     /// Makes the raster pass; `clipped`: outlines may leave the viewport; `deep`: spans may be of deep cells.
@@ -224,7 +244,8 @@ impl SceneKernels {
     pub fn need_lists(&mut self, gpu: &Gpu, clipped: bool) -> Result<()> {
         if self.lists[usize::from(clipped)].is_none() {
             let write_mask = wgpu::ColorWrites::empty();
-            let target = wgpu::ColorTargetState { format: wgpu::TextureFormat::Rgba32Float, blend: None, write_mask };
+            let format = if self.f16 { wgpu::TextureFormat::Rgba16Float } else { wgpu::TextureFormat::Rgba32Float };
+            let target = wgpu::ColorTargetState { format, blend: None, write_mask };
             let kernel = |end: &'static str| {
                 self.cell_kernel(gpu, "listed", end, clipped, true, std::slice::from_ref(&Some(target.clone())))
             };

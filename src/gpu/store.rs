@@ -139,6 +139,30 @@ impl Store {
         }
     }
 
+    /// True where no scene needed power rows before.
+    pub fn needs_power_rows(&self) -> bool {
+        self.cells.power_rows.size() < self.capacity * 16
+    }
+
+    /// Uploads a row a tetrahedron.
+    pub fn put_power_rows(&mut self, gpu: &Gpu, rows: &[[f32; 4]]) {
+        self.cells.power_rows = gpu.buffer("power_rows", self.capacity * 16, self.cells.power_rows.usage());
+        gpu.write(&self.cells.power_rows, 0, bytemuck::cast_slice(rows));
+    }
+
+    /// True where no scene needed ranks before.
+    pub fn needs_ranks(&self) -> bool {
+        self.cells.ranks.size() < self.capacity * 4
+    }
+
+    /// Uploads a rank a tetrahedron, with those of the pieces.
+    pub fn put_ranks(&mut self, gpu: &Gpu, ranks: &[u32]) {
+        if self.needs_ranks() {
+            self.cells.ranks = gpu.buffer("ranks", self.capacity * 4, self.cells.ranks.usage());
+        }
+        gpu.write(&self.cells.ranks, 0, bytemuck::cast_slice(ranks));
+    }
+
     /// True where this many spans, at most `most` of them in one cell, can be drawn.
     pub fn holds_spans(&self, spans: u64, most: u32) -> bool {
         spans <= u64::from(self.most_drawn) && most <= DEEP_SPAN && self.capacity <= 1 << (32 - SPAN_BITS)
@@ -190,11 +214,15 @@ impl Store {
         let (first, count) = (u64::from(range.first), u64::from(range.count));
         let blocks = count.div_ceil(256);
         let (b, c) = (&self.mesh, &self.cells);
-        let all = if c.cell_bands.size() < self.capacity * 4 {
-            all
-        } else {
-            all.with_part("cell_bands", &c.cell_bands, first * 4, count * 4)
-        };
+        // Those that no scene needed have no parts.
+        let mut all = all;
+        for (name, buffer, bytes) in
+            [("cell_bands", &c.cell_bands, 4), ("power_rows", &c.power_rows, 16), ("ranks", &c.ranks, 4)]
+        {
+            if buffer.size() >= self.capacity * bytes {
+                all = all.with_part(name, buffer, first * bytes, count * bytes);
+            }
+        }
         all.with("range", uniform)
             .with_part("tets", &b.tets, first * 16, count * 16)
             .with_part("volumes", &b.volumes, first * 4, count * 4)

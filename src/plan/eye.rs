@@ -9,6 +9,29 @@ use crate::tet::{FACES, LinkedMesh, Side};
 /// Mesh units: what lies nearer behind a place than this is at that place.
 pub const HAIR: f32 = 1e-6;
 
+/// Sides of cells in groups whose cells are linked, one by one: cells around one eye that are not fill one place.
+pub fn groups(mesh: &LinkedMesh, sides: &[Side]) -> Vec<Vec<Side>> {
+    let mut groups: Vec<Vec<Side>> = Vec::new();
+    let mut rest = sides.to_vec();
+    while let Some(first) = rest.pop() {
+        let mut group = vec![first];
+        let mut next = 0;
+        while next < group.len() {
+            let links = mesh.cells[group[next].cell as usize].links;
+            let cell = group[next].cell;
+            let is_linked = |side: &Side| {
+                side.cell == cell || links.iter().any(|&l| l != LinkedMesh::NO_LINK && l >> 2 == side.cell)
+            };
+            let (linked, others): (Vec<Side>, Vec<Side>) = rest.into_iter().partition(is_linked);
+            rest = others;
+            group.extend(linked);
+            next += 1;
+        }
+        groups.push(group);
+    }
+    groups
+}
+
 /// All sides of the cells that hold a perspective lens's eye, within what rays are moved by rounding: a ray begins where
 /// its line enters the cell, behind the eye.
 pub fn sides_around(mesh: &LinkedMesh, lens: &Lens) -> Vec<Side> {

@@ -32,6 +32,8 @@ pub struct NearCut {
     /// Positively oriented pieces of the clipped cells, beyond the near plane. Ids below the mesh's vertex count are
     /// the mesh's; the others, less that count, index `vertices`.
     pub tets: Vec<[u32; 4]>,
+    /// The cell that each is a piece of; ascending.
+    pub parents: Vec<u32>,
 }
 
 /// A vertex on a plane; everything is linear along the cut edge.
@@ -86,12 +88,12 @@ pub fn cut(mesh: &TetMesh, camera: &Camera, aspect: f64) -> Option<NearCut> {
         depths: Vec::new(),
         made: HashMap::new(),
     };
-    for (tets, &word) in mesh.tets.chunks(32).zip(&clipped) {
+    for (first, &word) in (0u32..).step_by(32).zip(&clipped) {
         let mut bits = word;
         while bits != 0 {
-            let tet = tets[bits.trailing_zeros() as usize];
-            if span(&tet).seen {
-                cutter.cut_cell(tet);
+            let cell = first + bits.trailing_zeros();
+            if span(&mesh.tets[cell as usize]).seen {
+                cutter.cut_cell(cell);
             }
             bits &= bits - 1;
         }
@@ -235,8 +237,8 @@ struct Cutter<'a> {
 }
 
 impl Cutter<'_> {
-    fn cut_cell(&mut self, cell: [u32; 4]) {
-        let mut pieces = vec![cell];
+    fn cut_cell(&mut self, cell: u32) {
+        let mut pieces = vec![self.mesh.tets[cell as usize]];
         for i in 0..self.planes.len() {
             let plane = self.planes[i];
             let mut parts = Vec::with_capacity(pieces.len());
@@ -245,6 +247,7 @@ impl Cutter<'_> {
             }
             pieces = parts;
         }
+        self.cut.parents.extend(std::iter::repeat_n(cell, pieces.len()));
         self.cut.tets.extend(pieces);
     }
 

@@ -3,6 +3,7 @@
 
 mod agreement;
 mod integrals;
+mod overlap;
 mod peers;
 mod real;
 mod watertight;

@@ -30,6 +30,8 @@ pub enum Cause {
     FewCells,
     /// Two cells fill one place: which of them is before the other is anybody's choice.
     Overlap,
+    /// The opacity errs as much, which no order of cells changes: where orders are tested, another thing is at fault.
+    Opacity,
     Unknown,
 }
 
@@ -91,9 +93,9 @@ impl fmt::Display for Verdict {
         let c = &self.comparison;
         write!(f, "{:6.2} dB  99.9% {:.1e}  max {:.1e}", c.psnr, c.percentile_99_9, c.max)?;
         if self.limits.explained_above.is_finite() {
-            let causes = [Cause::Surroundings, Cause::FewCells, Cause::Overlap, Cause::Unknown];
+            let causes = [Cause::Surroundings, Cause::FewCells, Cause::Overlap, Cause::Opacity, Cause::Unknown];
             let (counts, above) = (causes.map(|cause| self.count(cause)), self.limits.explained_above);
-            write!(f, "  above {above:.0e}: {counts:?} (surroundings, few cells, overlap, unknown)")?;
+            write!(f, "  above {above:.0e}: {counts:?} (surroundings, few cells, overlap, opacity, unknown)")?;
         }
         Ok(())
     }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use tetralux::gpu::{DeviceChoice, Gpu, GpuRenderer};
 use tetralux::image::Image;
-use tetralux::renderer::{Frame, Method, Rendered, Renderer as _, Settings};
+use tetralux::renderer::{Frame, Method, OrderMethod, Rendered, Renderer as _, Settings};
 use tetralux::scene::{Camera, Optics, TransferFunction};
 use tetralux::tet::TetMesh;
 
@@ -27,9 +27,14 @@ pub fn choice() -> DeviceChoice {
 /// The methods that project cells: what holds for one holds for the other, within the same limits.
 pub const PROJECTIONS: [Method; 2] = [Method::Project, Method::CellCast];
 
-/// Defaults, by a method.
+/// Defaults, by a method, and sorted by centroids whatever the scene.
 pub fn by(method: Method) -> Settings {
-    Settings { method, ..Settings::default() }
+    Settings { method, order: OrderMethod::Centroid, ..Settings::default() }
+}
+
+/// Defaults, but sorted by centroids whatever the scene.
+pub fn by_centroids() -> Settings {
+    by(Method::Project)
 }
 
 /// An opened device.

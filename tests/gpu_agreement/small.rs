@@ -6,7 +6,7 @@ use glam::DVec3;
 use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
 use tetralux::plan::order::centroid_depth;
-use tetralux::renderer::{Frame, Settings};
+use tetralux::renderer::Frame;
 use tetralux::scene::{Camera, Curve, CurveNode, Optics, Projection, TransferFunction, Widget, WidgetShape};
 use tetralux::tet::TetMesh;
 
@@ -205,14 +205,14 @@ fn linear_interpolation_agrees() {
         [("curve", axes.curve([GOLD; 5])), ("turned Gaussian", TransferFunction::Widgets(vec![turned]))]
     {
         for camera in [camera, flat] {
-            let told = gpu::draw(&mut gpu::renderer(&mesh, Settings::default()), &camera, &transfer, size).stats;
+            let told = gpu::draw(&mut gpu::renderer(&mesh, gpu::by_centroids()), &camera, &transfer, size).stats;
             assert!(told.pipelines.contains("interpolated linearly"), "{}", told.pipelines);
             agrees_at(&mesh, &format!("fire, {name}, linearly"), &transfer, ONE_COLOR, false, &[camera], size);
         }
     }
     // A camera that shows a part of it.
     let near = Camera { projection: Projection::Perspective { fov_y: 0.2 }, ..camera };
-    let told = gpu::draw(&mut gpu::renderer(&mesh, Settings::default()), &near, &axes.curve([GOLD; 5]), size).stats;
+    let told = gpu::draw(&mut gpu::renderer(&mesh, gpu::by_centroids()), &near, &axes.curve([GOLD; 5]), size).stats;
     assert!(told.pipelines.contains("in perspective"), "{}", told.pipelines);
 }
 

@@ -2,7 +2,9 @@
 
 #![expect(clippy::print_stdout, reason = "what was measured, for `--nocapture`")]
 
+mod cells;
 #[path = "../common/mod.rs"]
 mod common;
 mod per_pixel;
+mod real;
 mod scenes;

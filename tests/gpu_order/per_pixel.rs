@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
-use tetralux::gpu::{Gpu, GpuRenderer};
+use tetralux::gpu::{Gpu, GpuRenderer, RayCaster};
+use tetralux::image::Comparison;
 use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
 use tetralux::renderer::{Frame, Method, OrderMethod, Renderer as _, SegmentIntegral, Settings};
@@ -16,7 +17,7 @@ use crate::common::boxes::{box_mesh, tet_mesh};
 use crate::common::gpu::{self, assert_same_bits};
 use crate::common::meshes;
 use crate::common::rainbow::rainbow;
-use crate::scenes::{SIZE, Truth, along_z, cameras, cycle, mapped_delaunay, moved, plain, psnr, stretched};
+use crate::scenes::{EXACT, SIZE, Truth, along_z, cameras, cycle, mapped_delaunay, moved, plain, psnr, stretched};
 
 fn by(method: Method) -> Settings {
     Settings { method, order: OrderMethod::PerPixel, ..Settings::default() }
@@ -45,7 +46,7 @@ fn pictures_are_exact_where_centroids_are_not() {
                     drawn.stats.notes
                 );
             }
-            let sorted = psnr(&truth, &mesh, Settings::default());
+            let sorted = psnr(&truth, &mesh, gpu::by_centroids());
             println!("{name}, camera {i}, by centroids: {sorted:.1} dB");
             assert!(
                 sorted < 80.0 || name == "tangle",
@@ -67,7 +68,7 @@ fn three_cells_in_a_cycle_hide_each_other() {
         truth.assert_drawn(&format!("cycle, {method:?}"), &mut gpu::renderer(&mesh, by(method)));
     }
     // Whatever the order of three cells, one pair is wrong.
-    let sorted = psnr(&truth, &mesh, Settings::default());
+    let sorted = psnr(&truth, &mesh, gpu::by_centroids());
     assert!(sorted < 40.0, "{sorted} dB");
 }
 
@@ -167,7 +168,7 @@ fn cells_that_overlap_give_one_picture_in_any_order() {
         let oracle = Oracle::new(mesh.clone());
         let frame = Frame { background: [0.0; 4], ..plain(camera, &transfer) };
         let truth = Truth::new(&oracle, &mesh, frame);
-        let c = tetralux::image::Comparison::new(&image, &truth.image).expect("equal sizes");
+        let c = Comparison::new(&image, &truth.image).expect("equal sizes");
         println!("overlapping: {:.1} dB, worst {:.1e}", c.psnr, c.max);
         assert!(c.psnr > 60.0, "{c}");
     }
@@ -186,4 +187,30 @@ fn nothing_to_see_is_the_background() {
     let frame = plain(&camera, &transfer);
     let drawn = gpu::renderer(&mesh, by(Method::Project)).render(&frame, false).expect("a picture");
     assert!(drawn.image.pixels.iter().all(|&p| p == frame.background), "{:?}", drawn.image.pixels[0]);
+}
+
+/// Rays have no order, and no rasteriser's edges.
+#[test]
+fn rays_see_what_lists_and_exact_orders_draw() {
+    for (name, mesh, orders) in [
+        ("Delaunay", mapped_delaunay(DMat3::IDENTITY), &[OrderMethod::PerPixel, OrderMethod::Power][..]),
+        ("moved", moved(), &[OrderMethod::PerPixel, OrderMethod::Exact]),
+    ] {
+        let transfer = rainbow(&mesh, 20, 10.0);
+        let settings = Settings { method: Method::RayCast, ..Settings::default() };
+        let mut caster = RayCaster::new(gpu::device(), mesh.clone(), settings).expect("a caster");
+        for (i, camera) in cameras(&mesh).iter().enumerate() {
+            let frame = plain(camera, &transfer);
+            let cast = caster.render(&frame, false).expect("a picture").image;
+            for &order in orders {
+                let drawn = gpu::renderer(&mesh, Settings { order, ..by(Method::Project) }).render(&frame, false);
+                let c = Comparison::new(&drawn.expect("a picture").image, &cast).expect("equal sizes");
+                println!("{name}, {order}, camera {i}: {:.1} dB, 99.9 % {:.1e}", c.psnr, c.percentile_99_9);
+                assert!(c.psnr >= EXACT.psnr && c.percentile_99_9 <= EXACT.percentile_99_9, "{name}, {order}: {c}");
+            }
+            let sorted = gpu::renderer(&mesh, gpu::by_centroids()).render(&frame, false).expect("a picture").image;
+            let c = Comparison::new(&sorted, &cast).expect("equal sizes");
+            assert!(c.psnr < EXACT.psnr, "{name}, camera {i}: the order by centroids went unnoticed");
+        }
+    }
 }

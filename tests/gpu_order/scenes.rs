@@ -3,13 +3,14 @@
 use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
+use tetralux::gpu::GpuRenderer;
 use tetralux::image::Image;
 use tetralux::oracle::Oracle;
-use tetralux::renderer::{Frame, Rendered, Renderer as _};
+use tetralux::renderer::{Frame, Rendered, Renderer as _, Settings};
 use tetralux::scene::{Camera, Optics, Projection, TransferFunction};
 use tetralux::tet::TetMesh;
 
-use crate::common::agreement::{Explainer, Limits, Verdict, assert_limits_bite};
+use crate::common::agreement::{Cause, Explainer, Limits, Verdict, assert_limits_bite};
 use crate::common::boxes::tet_mesh;
 use crate::common::random::Random;
 use crate::common::{delaunay, gpu, meshes};
@@ -125,11 +126,19 @@ impl<'a> Truth<'a> {
     }
 
     pub fn verdict(&self, got: &Image, limits: Limits) -> Verdict {
-        Verdict::new(got, &self.image, limits, |pixel, error| self.explainer.cause(pixel, error))
+        Verdict::new(got, &self.image, limits, |pixel, error| match self.explainer.cause(pixel, error) {
+            Cause::Unknown if self.opacity_errs(got, pixel, error) => Cause::Opacity,
+            cause => cause,
+        })
+    }
+
+    fn opacity_errs(&self, got: &Image, [x, y]: [u32; 2], error: f64) -> bool {
+        let opacity = |image: &Image| f64::from(image.pixels[(y * image.width + x) as usize][3]);
+        (opacity(got) - opacity(&self.image)).abs() >= 0.9 * error
     }
 
     /// Draws, compares and fails where the picture is not good.
-    pub fn assert_drawn(&self, what: &str, renderer: &mut tetralux::gpu::GpuRenderer) -> Rendered {
+    pub fn assert_drawn(&self, what: &str, renderer: &mut GpuRenderer) -> Rendered {
         let drawn = renderer.render(&self.frame, false).unwrap_or_else(|e| panic!("{what}: {e}"));
         let verdict = self.verdict(&drawn.image, EXACT);
         println!("{what}: {verdict}");
@@ -145,7 +154,7 @@ pub fn plain<'a>(camera: &'a Camera, transfer: &'a TransferFunction) -> Frame<'a
 }
 
 /// PSNR of the picture of settings.
-pub fn psnr(truth: &Truth<'_>, mesh: &Arc<TetMesh>, settings: tetralux::renderer::Settings) -> f64 {
+pub fn psnr(truth: &Truth<'_>, mesh: &Arc<TetMesh>, settings: Settings) -> f64 {
     let drawn = gpu::renderer(mesh, settings).render(&truth.frame, false).expect("a picture");
     truth.verdict(&drawn.image, Limits { explained_above: f64::INFINITY, ..EXACT }).comparison.psnr
 }

@@ -81,7 +81,7 @@ impl PlainWidget {
     /// The optical depths of all lanes' segments.
     #[inline(always)]
     fn depths<S: Simd>(&self, segments: &Segments<S>) -> Floats<S> {
-        let Segments { which, front, back, length } = *segments;
+        let Segments { which, front, back, length, .. } = *segments;
         let [zero, one] = [0.0, 1.0].map(|value| length.all(value));
         let mut inside = [zero, one];
         if let Some(range) = self.scalar {

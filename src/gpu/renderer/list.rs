@@ -1,9 +1,9 @@
 //! Cells in any order: fragments listed, sorted and composed pixel by pixel.
 
 use super::{GpuRenderer, unprepared};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::gpu::device::DrawKernel;
-use crate::gpu::lists::{self, FragmentLists, Strip};
+use crate::gpu::lists::{FragmentLists, Strip};
 use crate::gpu::record::{Recorder, Work};
 use crate::renderer::PassTime;
 
@@ -20,8 +20,7 @@ impl GpuRenderer {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let kernels = scene.lists(clipped).ok_or_else(unprepared)?;
         let gpu = &self.gpu;
-        recorder.encoder().clear_buffer(&lists.fragments, 0, None);
-        recorder.encoder().clear_buffer(&lists.unlisted, 0, None);
+        lists.clear(&mut recorder);
         self.draw_listed(&mut recorder, lists, (&kernels.tally, clipped), most, None)?;
         let resources = self.resources(&scene.transfer);
         let all = lists.offer(resources.clone());
@@ -30,30 +29,13 @@ impl GpuRenderer {
         let strips = lists.plan(gpu)?;
         let target = self.target.as_ref().ok_or_else(unprepared)?;
         let all = lists.offer(resources).with_texture("picture", &target.picture);
-        let compose = lists.compose.bind(gpu, &all)?;
         recorder.encoder().clear_buffer(&lists.fragments, 0, None);
         for &strip in &strips {
-            let mut uniform = strip.uniform();
-            gpu.queue.write_buffer(&lists.strip, 0, bytemuck::bytes_of(&uniform));
+            gpu.queue.write_buffer(&lists.strip, 0, bytemuck::bytes_of(&strip.uniform()));
             self.draw_listed(&mut recorder, lists, (&kernels.list, clipped), most, Some(strip))?;
-            loop {
-                recorder.encoder().clear_buffer(&lists.unfinished, 0, None);
-                let groups = (strip.end - strip.first).div_ceil(lists::GROUP);
-                recorder.compute(&lists.compose, &compose, Work::Groups(groups))?;
-                recorder.submit();
-                let unfinished: Vec<u32> = gpu.read(&lists.unfinished, 4)?;
-                if unfinished == [0] {
-                    break;
-                }
-                uniform.goes_on = 1;
-                gpu.queue.write_buffer(&lists.strip, 0, bytemuck::bytes_of(&uniform));
-            }
+            lists.compose(gpu, &mut recorder, &all, strip)?;
         }
-        let unlisted: Vec<u32> = gpu.read(&lists.unlisted, 4)?;
-        if unlisted != [0] {
-            let text = format!("internal: {unlisted:?} fragments were drawn that had not been counted");
-            return Err(Error::Device(text));
-        }
+        lists.check(gpu)?;
         Ok((strips, recorder.finish()?))
     }
 

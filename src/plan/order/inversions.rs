@@ -22,6 +22,9 @@ pub struct Inversions {
     pub wrong: u64,
 }
 
+/// The rank of a cell that was not drawn.
+const NOT_DRAWN: u32 = u32::MAX;
+
 impl Inversions {
     pub(super) fn count(mesh: &TetMesh, adjacency: &Adjacency, vantage: &Vantage, ranks: &[u32]) -> Self {
         let of_cell = |tet: usize| {
@@ -29,6 +32,9 @@ impl Inversions {
             for (corner, &neighbor) in adjacency.neighbors[tet].iter().enumerate() {
                 // Each pair once; the boundary has the largest number.
                 if neighbor as usize <= tet || neighbor as usize >= ranks.len() {
+                    continue;
+                }
+                if ranks[tet] == NOT_DRAWN || ranks[neighbor as usize] == NOT_DRAWN {
                     continue;
                 }
                 let face = Face::new(mesh.tets[tet], corner);
@@ -43,6 +49,17 @@ impl Inversions {
             counted
         };
         (0..mesh.tets.len()).into_par_iter().map(of_cell).reduce(Self::default, Self::add)
+    }
+
+    /// Of some of a mesh's cells, listed back to front. What is no cell of the mesh is passed over.
+    pub fn of_drawn(mesh: &TetMesh, adjacency: &Adjacency, camera: &Camera, drawn: &[u32]) -> Self {
+        let mut ranks = vec![NOT_DRAWN; mesh.tets.len()];
+        for (rank, &cell) in (0..).zip(drawn) {
+            if let Some(place) = ranks.get_mut(cell as usize) {
+                *place = rank;
+            }
+        }
+        Self::count(mesh, adjacency, &Vantage::new(mesh, camera), &ranks)
     }
 
     /// The wrong ones' share; 0 where there are no pairs.
