@@ -65,7 +65,7 @@ pub fn rows(scene: &str, integrals: &[&'static str], size: Option<[u32; 2]>) -> 
     let scene = Scene::read(Some(scene.as_ref()), &more)?;
     // Never the stand-in: there is a file.
     let (mesh, _) = common::mesh(Some(&PathBuf::from(MESH)), scene.field.as_deref(), Sample::Tangle, 0)?;
-    let (camera, transfer) = scene.resolve(&mesh)?;
+    let (camera, transfer) = scene.resolve(&*mesh)?;
     let background = scene.premultiplied_background();
     let frame = Frame { camera: &camera, transfer: &transfer, optics: &scene.optics, size: scene.size, background };
     let keys: Vec<f64> = centroid_depth(&mesh, &camera);

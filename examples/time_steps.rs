@@ -50,13 +50,13 @@ impl Caster {
         }
     }
 
-    fn picture(&mut self) -> Result<Image> {
+    fn picture(&mut self, mesh: &TetMesh) -> Result<Image> {
         let renderer: &mut dyn Renderer = match self {
             Self::Cpu(renderer) => &mut **renderer,
             Self::Gpu(renderer) => &mut **renderer,
         };
         let scene = Scene::parse("[image]\nwidth = 256\nheight = 256", &[])?;
-        let (camera, transfer) = scene.resolve(renderer.mesh())?;
+        let (camera, transfer) = scene.resolve(mesh)?;
         let (optics, size) = (&scene.optics, scene.size);
         let frame = Frame { camera: &camera, transfer: &transfer, optics, size, background: [0.0; 4] };
         Ok(renderer.render(&frame, false)?.image)
@@ -107,7 +107,7 @@ fn steps(file: &Path, tetrahedra: usize, device: &str) -> Result<Vec<(String, Du
     let mesh = Arc::new(mesh);
     let mut caster = Caster::new(device, Arc::clone(&mesh))?;
     told.push(("full load".to_owned(), start.elapsed()));
-    let before = caster.picture()?;
+    let before = caster.picture(&mesh)?;
 
     let start = Instant::now();
     let other = read(file, "second")?;
@@ -118,7 +118,7 @@ fn steps(file: &Path, tetrahedra: usize, device: &str) -> Result<Vec<(String, Du
     let start = Instant::now();
     caster.replace(Arc::clone(&second))?;
     told.push(("giving it to the renderer".to_owned(), start.elapsed()));
-    let other = caster.picture()?;
+    let other = caster.picture(&second)?;
 
     let mut moved = read(file, &field)?;
     moved.points.iter_mut().for_each(|p| *p += DVec3::new(0.1 * p.y * p.y, 0.0, 0.05 * p.x));
@@ -126,9 +126,9 @@ fn steps(file: &Path, tetrahedra: usize, device: &str) -> Result<Vec<(String, Du
     let moved = Arc::new(mesh.with_field(&census, moved, &FieldChoice::parse(&field))?);
     told.push(("gradients of points that moved".to_owned(), start.elapsed()));
     let start = Instant::now();
-    caster.replace(moved)?;
+    caster.replace(Arc::clone(&moved))?;
     told.push(("giving them to the renderer".to_owned(), start.elapsed()));
-    let after = caster.picture()?;
+    let after = caster.picture(&moved)?;
     if before == other || before == after {
         return Err(Error::Device("internal: another field or place changed nothing".into()));
     }

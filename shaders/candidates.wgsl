@@ -1,6 +1,7 @@
 #import shared/frame
 #import shared/range
 #import shared/bound
+#import shared/reached
 
 // Marks the cells that the transfer function can make visible, independent of the view, and finds their bands.
 
@@ -29,34 +30,8 @@ override CULL: bool = true;
 
 var<workgroup> block_flags: array<atomic<u32>, 8>;
 
-// The bands over scalars in [low, high], without what is transparent below and above.
-fn bands_between(low: f32, high: f32, is_deep: bool) -> u32 {
-    var first = piece_starts[u32(low * 256.0)].x;
-    while first + 1u < PIECES && nodes[first + 1u].x <= low {
-        first++;
-    }
-    var end = first + 1u;
-    while end < PIECES && nodes[end].x < high {
-        end++;
-    }
-    var seen = vec2u(first, end);
-    while seen.x + 1u < end && transparent(seen.x) {
-        seen.x++;
-    }
-    while seen.y > seen.x + 1u && transparent(seen.y - 1u) {
-        seen.y--;
-    }
-    return packed_bands(seen.x, min(seen.y - seen.x, 255u), seen.x == first, seen.y == end, is_deep);
-}
-
-fn transparent(piece: u32) -> bool {
-    return node_values[piece].w <= 0.0 && node_values[piece + 1u].w <= 0.0;
-}
-
-// Scalars from the lowest to the highest.
-fn scalar_range(tet: vec4u) -> vec2f {
-    let s = vec4f(vertices[tet.x].w, vertices[tet.y].w, vertices[tet.z].w, vertices[tet.w].w);
-    return vec2f(min(min(s.x, s.y), min(s.z, s.w)), max(max(s.x, s.y), max(s.z, s.w)));
+fn scalars_of(tet: vec4u) -> vec4f {
+    return vec4f(vertices[tet.x].w, vertices[tet.y].w, vertices[tet.z].w, vertices[tet.w].w);
 }
 
 fn cell_depth_bound(tet: vec4u) -> f32 {
@@ -81,7 +56,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
         if !CULL || depth > INVISIBLE {
             atomicOr(&block_flags[lane >> 5u], 1u << (i & 31u));
             if PIECES > 0u {
-                let scalars = scalar_range(tets[i]);
+                let scalars = scalar_range(scalars_of(tets[i]));
                 let bands = bands_between(scalars.x, scalars.y, depth > THIN);
                 cell_bands[i] = bands;
                 atomicAdd(&band_totals.bands, band_count(bands));

@@ -1,6 +1,7 @@
 #import shared/frame
 #import shared/range
 #import shared/bands
+#import shared/covered
 
 // Marks the candidate cells that can cover a pixel's centre, and counts them, or their spans, per block of 256.
 
@@ -17,24 +18,8 @@
 
 override NEAR_CUT: bool = false;
 
-// Rasterisers round positions to a grid of their own, 1/16 pixel at the coarsest: a cell is dropped only beyond that.
-const SNAP: f32 = 0.0625;
-
 // Of each word of survivors: what is drawn of it.
 var<workgroup> drawn: array<u32, 256>;
-
-fn covers_a_pixel(tet: vec4u) -> bool {
-    let a = projected[tet.x];
-    let b = projected[tet.y];
-    let c = projected[tet.z];
-    let d = projected[tet.w];
-    let size = vec2f(frame.image_width, frame.image_height);
-    let low = (min(min(a, b), min(c, d)) * 0.5 + 0.5) * size;
-    let high = (max(max(a, b), max(c, d)) * 0.5 + 0.5) * size;
-    let first = max(ceil(low - (0.5 + SNAP)), vec2f(0.0));
-    let last = min(floor(high - (0.5 - SNAP)), size - 1.0);
-    return all(first <= last);
-}
 
 // A word of survivors, 32 cells, each: a barrier for every 256 cells was more than half of the time on a software adapter.
 @compute @workgroup_size(256)
@@ -52,7 +37,8 @@ fn main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) group
         for (; rest != 0u; rest &= rest - 1u) {
             let bit = rest & (~rest + 1u);
             let i = word * 32u + firstTrailingBit(rest);
-            if covers_a_pixel(tets[i]) {
+            let tet = tets[i];
+            if covers_a_pixel(projected[tet.x], projected[tet.y], projected[tet.z], projected[tet.w]) {
                 flags |= bit;
                 count++;
                 if BANDS {

@@ -1,3 +1,4 @@
+#import shared/mesh_cells
 #import shared/corners
 
 // Prepares the front faces of one chunk's cells, in the order of drawing: cell projection without a decomposition (Weiler,

@@ -12,7 +12,7 @@
 //! | [`error`], [`space`] | one error type; boxes, rays, intervals |
 //! | [`tables`] | functions of two arguments that shaders look up, their generator, and look-ups on the host |
 //! | [`mesh`] | what a file said: one reader per format ([`mesh::read`]), no geometry; [`mesh::synth`] makes meshes |
-//! | [`tet`] | what a renderer needs, whatever the view: [`tet::TetMesh`], its [`tet::Census`], adjacency, histogram |
+//! | [`tet`] | what a renderer needs, whatever the view: [`tet::TetMesh`] or [`tet::Grid`], [`tet::Census`], histogram |
 //! | [`scene`] | what the user chose: [`scene::Camera`], [`scene::TransferFunction`], [`scene::Optics`], the scene file |
 //! | [`plan`] | what a view implies, without colour: where rays enter, the near plane's cuts, the order of cells |
 //! | [`image`] | linear pictures, PNG and EXR, [`image::Comparison`] |

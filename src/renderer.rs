@@ -9,7 +9,6 @@ use crate::error::Result;
 use crate::image::Image;
 use crate::plan::order::Inversions;
 use crate::scene::{Camera, Optics, TransferFunction};
-use crate::tet::TetMesh;
 
 pub use integral::SegmentIntegral;
 pub use order::{OrderChoice, OrderMethod};
@@ -196,7 +195,4 @@ pub trait Renderer {
 
     /// Renders `frame` and waits for it, leaving the picture on the device: what is timed as a frame.
     fn render_only(&mut self, frame: &Frame<'_>) -> Result<Duration>;
-
-    /// The mesh.
-    fn mesh(&self) -> &TetMesh;
 }

@@ -77,7 +77,7 @@ fn pipelines_tell_what_they_are_made_for() {
         ("[transfer.curve]\npoints = [[0, 1, 0, 0, 1], [9, 1, 0, 0, 2]]", ["a curve", "weighted", "pairs of bands"]),
     ] {
         let scene = Scene::parse(transfer, &[]).expect("a scene");
-        let (camera, transfer) = scene.resolve(&mesh).expect("a camera");
+        let (camera, transfer) = scene.resolve(&*mesh).expect("a camera");
         let frame =
             Frame { camera: &camera, transfer: &transfer, optics: &scene.optics, size: [16, 12], background: [0.0; 4] };
         let told = renderer.render(&frame, false).expect("a picture").stats.pipelines;

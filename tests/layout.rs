@@ -91,6 +91,21 @@ fn hosts() -> Vec<Host> {
         host!(BandTotals { bands, pairs, most, deep }),
         host!(Strip { first_pixel, end_pixel, base, goes_on }),
         host!(Chunk { first_cell, cells, pad_a, pad_b }),
+        host!(Grid {
+            points,
+            least_depth,
+            nearest,
+            longest_edge,
+            low,
+            pad_a,
+            high,
+            pad_b,
+            near_low,
+            pad_c,
+            near_high,
+            pad_d,
+        }),
+        host!(BrickCount { cells, bands, pairs, most }),
     ]
 }
 

@@ -130,7 +130,7 @@ pub fn mesh(
 /// # Errors
 /// What the scene asks for and no renderer can do.
 pub fn picture(mesh: &Arc<TetMesh>, scene: &Scene, device: Device) -> Result<(Image, String)> {
-    let (camera, transfer) = scene.resolve(mesh)?;
+    let (camera, transfer) = scene.resolve(&**mesh)?;
     let background = scene.premultiplied_background();
     let frame = Frame { camera: &camera, transfer: &transfer, optics: &scene.optics, size: scene.size, background };
     let on_device = || {

@@ -6,9 +6,12 @@
 
 // Where piece i begins (in x); piece i - 1 ends there.
 @group(2) @binding(2) var<uniform> nodes: array<vec4f, 1025>;
-// Colour and extinction there.
+// For each of 256 equal parts of 0..1: the first and the last piece in it.
+@group(2) @binding(3) var<uniform> piece_starts: array<vec4u, 257>;
+// Colour and extinction where pieces begin.
 @group(2) @binding(4) var<uniform> node_values: array<vec4f, 1025>;
 
+override PIECES: u32 = 0u;
 // On: cells are drawn span by span. Then orders hold spans: a cell << SPAN_BITS, DEEP_SPAN if the cell is deep, and the
 // span's rank from behind.
 override BANDS: bool = false;

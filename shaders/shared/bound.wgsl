@@ -131,6 +131,14 @@ fn widgets_bound(p: array<vec2f, 4>) -> f32 {
     return sum;
 }
 
+// Bound of the extinction over a rectangle of scalars and gradient magnitudes.
+fn box_bound(low: vec2f, high: vec2f) -> f32 {
+    if PIECES > 0u {
+        return curve_bound(low.x, high.x);
+    }
+    return widgets_bound(array<vec2f, 4>(low, vec2f(high.x, low.y), high, vec2f(low.x, high.y)));
+}
+
 // Bound of the optical depth of a ray through the cell of these vertices (place, scalar) and gradient magnitudes; colours
 // above 1 count for as much more.
 fn depth_bound(a: vec4f, b: vec4f, c: vec4f, d: vec4f, magnitudes: vec4f) -> f32 {

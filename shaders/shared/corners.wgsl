@@ -1,18 +1,14 @@
 #import shared/frame
 #import shared/counts
-#import shared/tets
 #import shared/bands
 
-// What the passes share that write the corners of one chunk's cells, in the order of drawing (project.wgsl, faces.wgsl).
+// What the passes share that write the corners of one chunk's cells, in the order of drawing (project.wgsl, faces.wgsl,
+// grid_project.wgsl). Where cells come from is told by shared/mesh_cells.wgsl or shared/grid_cells.wgsl: Cell, cell_at,
+// bands_of, clip_of, gradient_of, vector_of.
 
-@group(1) @binding(0) var<storage, read> vertices: array<vec4f>;
-@group(1) @binding(1) var<storage, read> gradients: array<f32>;
-@group(1) @binding(2) var<storage, read> gradient_vectors: array<f32>; // three a vertex; the largest has length 1
 @group(3) @binding(0) var<uniform> chunk: Chunk;
 @group(3) @binding(1) var<storage, read> counts: Counts;
 @group(3) @binding(2) var<storage, read> order: array<u32>; // cells, or spans of cells, back to front
-@group(3) @binding(4) var<storage, read> cell_bands: array<u32>;
-@group(3) @binding(3) var<storage, read> projected: array<vec2f>;
 // Four corners a cell; per corner: clip xy; 1/z (orthographic: the depth) and scalar/z; three tent functions; then, of the first corner alone, at
 // the apex, the thickness (negative where the front is the interpolated side) and the change of scalar/z from the
 // interpolated to the other side; with BIVARIATE gradient/z and its change; with BANDS the lower piece, as 8 x piece
@@ -93,8 +89,7 @@ fn face_weight(a: vec3f, ab: vec3f, ac: vec3f) -> f32 {
 
 // Of a vertex, in view axes.
 fn gradient_vector(vertex: u32) -> vec3f {
-    let at = 3u * vertex;
-    let vector = vec3f(gradient_vectors[at], gradient_vectors[at + 1u], gradient_vectors[at + 2u]);
+    let vector = vector_of(vertex);
     return vec3f(frame.ray_per_clip_x * dot(frame.x_row, vector), frame.ray_per_clip_y * dot(frame.y_row, vector),
                  dot(frame.forward, vector));
 }
@@ -119,11 +114,12 @@ fn span_index(k: u32, bands: u32, mu: vec4f, scalars: vec4f) -> u32 {
 // intersection, no difference of depths.
 fn seen_cell(entry: u32) -> SeenCell {
     let cell = select(entry, entry >> SPAN_BITS, BANDS);
-    let tet = tet_at(cell);
-    let p0 = vertices[tet.x];
-    let p1 = vertices[tet.y];
-    let p2 = vertices[tet.z];
-    let p3 = vertices[tet.w];
+    let found = cell_at(cell);
+    let tet = found.tet;
+    let p0 = found.a;
+    let p1 = found.b;
+    let p2 = found.c;
+    let p3 = found.d;
     let v0 = from_eye(p0.xyz);
     let v1 = from_eye(p1.xyz);
     let v2 = from_eye(p2.xyz);
@@ -131,7 +127,7 @@ fn seen_cell(entry: u32) -> SeenCell {
     let e01 = p1.xyz - p0.xyz;
     let e02 = p2.xyz - p0.xyz;
     let e03 = p3.xyz - p0.xyz;
-    let volume = volumes[cell];
+    let volume = found.volume;
     var seen: SeenCell;
     seen.tet = tet;
     seen.parity = select(1.0, -1.0, volume < 0.0);
@@ -154,7 +150,7 @@ fn seen_cell(entry: u32) -> SeenCell {
     }
     seen.scalars = vec4f(p0.w, p1.w, p2.w, p3.w);
     if BANDS {
-        let bands = cell_bands[cell];
+        let bands = bands_of(cell, seen.scalars);
         let index = span_index(entry & (DEEP_SPAN - 1u), bands, mu, seen.scalars);
         let piece = first_band(bands) + BANDS_PER_SPAN * index;
         let is_last = index + 1u == span_count(bands);
@@ -168,7 +164,7 @@ fn seen_cell(entry: u32) -> SeenCell {
     seen.apex.scalar_change =
         dot(back_weights, seen.scalars) * scales.y - dot(front_weights, seen.scalars) * scales.x;
     if BIVARIATE {
-        seen.gradients = vec4f(gradients[tet.x], gradients[tet.y], gradients[tet.z], gradients[tet.w]);
+        seen.gradients = vec4f(gradient_of(tet.x), gradient_of(tet.y), gradient_of(tet.z), gradient_of(tet.w));
         seen.apex.gradient_change =
             dot(back_weights, seen.gradients) * scales.y - dot(front_weights, seen.gradients) * scales.x;
     }
@@ -195,7 +191,7 @@ fn seen_cell(entry: u32) -> SeenCell {
 fn corner_of(seen: SeenCell, k: u32) -> Corner {
     let inverse = seen.inverse_depths[k];
     let plane = vec3f(seen.heights[k], inverse * seen.scalars[k], inverse * seen.gradients[k]);
-    var corner = Corner(projected[seen.tet[k]], plane, vec3f(), vec3f());
+    var corner = Corner(clip_of(seen.tet[k]), plane, vec3f(), vec3f());
     if SHADED {
         corner.vector = inverse * gradient_vector(seen.tet[k]);
     }

@@ -16,13 +16,10 @@ struct Piece {
 // Uniform buffers: software adapters read them faster than storage. What is read a fragment is kept small.
 @group(2) @binding(0) var<uniform> widgets: array<Widget, 64>;
 @group(2) @binding(1) var<uniform> pieces: array<Piece, 1024>;
-// For each of 256 equal parts of 0..1: the first and the last piece in it.
-@group(2) @binding(3) var<uniform> piece_starts: array<vec4u, 257>;
 // Pieces of windows and ramps: (u, weight) at both ends.
 @group(2) @binding(6) var<uniform> knots: array<vec4f, 512>;
 
 override WIDGETS: u32 = 0u;
-override PIECES: u32 = 0u;
 
 fn widget_count() -> u32 {
     return WIDGETS;

@@ -195,6 +195,9 @@ pub(super) struct ChoiceArgs {
     /// Keep cells that the transfer function leaves empty
     #[arg(long)]
     pub no_cull: bool,
+    /// Draw the voxels alone that reach into this box, data units; with --order structured
+    #[arg(long, value_name = "X0,Y0,Z0,X1,Y1,Z1", value_parser = parse::corners, allow_hyphen_values = true)]
+    pub clip: Option<[f64; 6]>,
     /// Rays end where they would see less than this share of what lies behind; 0: at the mesh's end
     #[arg(long, value_name = "SHARE", default_value = "1e-5", value_parser = parse::share)]
     pub least_transmittance: f64,
@@ -218,6 +221,7 @@ impl ChoiceArgs {
                 Order::Mpvonc => renderer::OrderMethod::Mpvonc,
                 Order::Exact => renderer::OrderMethod::Exact,
                 Order::PerPixel => renderer::OrderMethod::PerPixel,
+                Order::Structured => renderer::OrderMethod::Structured,
             },
             cull: !self.no_cull,
             sort: match self.sort {
@@ -300,6 +304,8 @@ pub(super) enum Order {
     Exact,
     /// Each pixel's fragments by their own depth: exact
     PerPixel,
+    /// Grids parallel to the axes: voxels as they lie around the eye, five tetrahedra each that are not stored; exact
+    Structured,
 }
 
 /// As it is written on the command line.

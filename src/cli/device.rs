@@ -2,16 +2,18 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
 use indicatif::ProgressBar;
 
 use super::args::Device;
 use crate::cpu::{self, CpuRenderer};
 use crate::error::{Error, Result};
-use crate::gpu::{DeviceChoice, Gpu, GpuRenderer, RayCaster};
+use crate::gpu::{DeviceChoice, Gpu, GpuRenderer, GridRenderer, RayCaster};
 use crate::oracle::Oracle;
 use crate::renderer::{Method, Renderer, Settings};
 use crate::scene::{Optics, TransferFunction};
-use crate::tet::TetMesh;
+use crate::space::Bounds;
+use crate::tet::{Grid, TetMesh};
 
 /// A renderer, and what is to be said of the choice.
 pub(super) struct Chosen {
@@ -64,6 +66,24 @@ fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<
         }
         Err(other) => Err(other),
     }
+}
+
+/// A renderer of a grid's implied tetrahedra, or of those in a box.
+pub(super) fn grid_renderer(grid: &Arc<Grid>, wish: &Wish<'_>, clip: Option<[f64; 6]>) -> Result<Chosen> {
+    let choice = match wish.device {
+        Device::Auto | Device::Gpu => DeviceChoice::Any,
+        Device::Software => DeviceChoice::Software,
+        Device::Cpu | Device::Oracle => {
+            let text = "a structured order is drawn by graphics devices: render with --device gpu or software, or with \
+                        another --order";
+            return Err(Error::Asked(text.into()));
+        }
+    };
+    let mut renderer = GridRenderer::new(Gpu::new(choice)?, Arc::clone(grid), wish.settings)?;
+    if let Some([x0, y0, z0, x1, y1, z1]) = clip {
+        renderer = renderer.clipped_to(&Bounds { min: DVec3::new(x0, y0, z0), max: DVec3::new(x1, y1, z1) })?;
+    }
+    Ok(Chosen { renderer: Box::new(renderer), note: None })
 }
 
 fn cast(mesh: &Arc<TetMesh>, settings: Settings) -> Result<Box<dyn Renderer>> {

@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 use crate::image::{Image, srgb_from_linear};
 use crate::scene::{Curve, TransferFunction, Widget, WidgetShape};
 use crate::space::Interval;
-use crate::tet::TetMesh;
+use crate::tet::Domain;
 
 /// Below this height, pixels, there is no room for axes.
 pub(super) const MIN_HEIGHT: u32 = 160;
@@ -15,7 +15,7 @@ const PAPER: [f32; 3] = [0.09, 0.09, 0.1];
 const INK: RGBColor = RGBColor(225, 225, 225);
 
 /// `image` with the panel at its right.
-pub(super) fn beside(image: &Image, mesh: &TetMesh, transfer: &TransferFunction) -> Result<Image> {
+pub(super) fn beside(image: &Image, mesh: &dyn Domain, transfer: &TransferFunction) -> Result<Image> {
     if image.height < MIN_HEIGHT {
         return Err(Error::Asked(format!(
             "a legend needs a picture at least {MIN_HEIGHT} pixels high, not {}",
@@ -29,18 +29,18 @@ pub(super) fn beside(image: &Image, mesh: &TetMesh, transfer: &TransferFunction)
     Ok(Image { width: image.width + panel.width, height: image.height, pixels })
 }
 
-fn panel(height: u32, mesh: &TetMesh, transfer: &TransferFunction) -> Result<Image> {
+fn panel(height: u32, mesh: &dyn Domain, transfer: &TransferFunction) -> Result<Image> {
     let width = (height / 2).clamp(240, 420);
     let side = (width - 90).min(height - 90) as i32;
     let (scalar, gradient) = (mesh.scalar_range(), mesh.gradient_range());
-    let gradient_label = format!("|grad {}|", mesh.field);
+    let gradient_label = format!("|grad {}|", mesh.field());
     let (y, y_label) = match transfer {
         TransferFunction::Widgets(widgets) => {
             (Interval { max: gradient.max.min(reach(widgets, scalar, gradient)), ..gradient }, gradient_label.as_str())
         }
         TransferFunction::Curve(curve) => (Interval { min: 0.0, max: highest(curve, scalar) }, "extinction per length"),
     };
-    let axes = Axes { frame: [65, 40, 65 + side, 40 + side], x: scalar, y, x_label: &mesh.field, y_label, ink: INK };
+    let axes = Axes { frame: [65, 40, 65 + side, 40 + side], x: scalar, y, x_label: mesh.field(), y_label, ink: INK };
     plot::picture([width, height], |area| {
         area.fill(&display(PAPER))?;
         match transfer {

@@ -5,7 +5,7 @@ use super::output::note;
 use super::progress::step;
 use crate::error::Result;
 use crate::mesh::{self, ArrayChoice, Mesh, ReadOptions};
-use crate::tet::{BuildOptions, Census, FieldChoice, HexSplit, TetMesh};
+use crate::tet::{BuildOptions, Census, FieldChoice, Grid, HexSplit, TetMesh};
 
 /// Reads the arrays that `field` needs, all of them where it is `None`.
 pub(super) fn mesh(source: &SourceArgs, arrays: ArrayChoice) -> Result<Mesh> {
@@ -33,11 +33,27 @@ pub(super) fn cut(mesh: Mesh, source: &SourceArgs, field: Option<&str>) -> Resul
 
 /// Both, telling on stderr what was left out or guessed.
 pub(super) fn tet_mesh(source: &SourceArgs, field: Option<&str>) -> Result<(TetMesh, Census)> {
-    // Without a name the choice falls on the first array of one component, which only the whole list tells.
-    let arrays = field.map_or(ArrayChoice::All, |name| ArrayChoice::One(Some(name.to_owned())));
-    let (mesh, census) = cut(mesh(source, arrays)?, source, field)?;
-    for text in &census.notes {
+    let (mesh, census) = cut(mesh(source, arrays(field))?, source, field)?;
+    tell(&census.notes);
+    Ok((mesh, census))
+}
+
+/// A grid whose tetrahedra are implied, telling the same.
+pub(super) fn grid(source: &SourceArgs, field: Option<&str>) -> Result<Grid> {
+    let mesh = mesh(source, arrays(field))?;
+    let choice = field.map_or_else(FieldChoice::default, FieldChoice::parse);
+    let (grid, notes) = step("building", || Grid::new(mesh, &choice))?;
+    tell(&notes);
+    Ok(grid)
+}
+
+/// Without a name the choice falls on the first array of one component, which only the whole list tells.
+fn arrays(field: Option<&str>) -> ArrayChoice {
+    field.map_or(ArrayChoice::All, |name| ArrayChoice::One(Some(name.to_owned())))
+}
+
+fn tell(notes: &[String]) {
+    for text in notes {
         note(&format!("note: {text}"));
     }
-    Ok((mesh, census))
 }

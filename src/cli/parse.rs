@@ -34,6 +34,14 @@ pub(super) fn vector(text: &str) -> Result<[f64; 3], String> {
     numbers(text).and_then(|n| n.try_into().ok()).ok_or_else(|| "write three finite numbers as 1,-2,0.5".into())
 }
 
+/// Two corners of a box: `0,0,0,1,1,1`.
+pub(super) fn corners(text: &str) -> Result<[f64; 6], String> {
+    let corners: Option<[f64; 6]> = numbers(text).and_then(|n| n.try_into().ok());
+    corners
+        .filter(|c| (0..3).all(|axis| c[axis] < c[axis + 3]))
+        .ok_or_else(|| "write a lower and a higher corner as X0,Y0,Z0,X1,Y1,Z1".into())
+}
+
 /// `1,1,2`, each above 0.
 pub(super) fn spacing(text: &str) -> Result<[f64; 3], String> {
     vector(text).and_then(|v| match v.iter().all(|n| *n > 0.0) {

@@ -3,24 +3,47 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use indicatif::ProgressBar;
+
 use super::args::RenderArgs;
+use super::device::{Chosen, Wish};
 use super::job::RenderJob;
 use super::stats::{Report, Timing};
 use super::{device, legend, load, output, progress};
-use crate::renderer::{Frame, Renderer};
+use crate::error::{Error, Result};
+use crate::renderer::{Frame, OrderMethod, Renderer};
+use crate::tet::Domain;
 
 pub(super) fn run(args: &RenderArgs) -> anyhow::Result<()> {
     let job = RenderJob::new(args)?;
+    let field = job.scene.field.as_deref();
     let start = Instant::now();
-    let (mesh, _) = load::tet_mesh(&args.source, job.scene.field.as_deref())?;
-    let load = start.elapsed();
-    let (camera, transfer) = job.scene.resolve(&mesh)?;
-    let mesh = Arc::new(mesh);
+    if args.choices.settings().order == OrderMethod::Structured {
+        let grid = Arc::new(load::grid(&args.source, field)?);
+        let make = |wish: &Wish<'_>, _: &ProgressBar| device::grid_renderer(&grid, wish, args.choices.clip);
+        return draw(args, &job, &*grid, start.elapsed(), make);
+    }
+    if args.choices.clip.is_some() {
+        return Err(Error::Asked("--clip needs --order structured".into()).into());
+    }
+    let mesh = Arc::new(load::tet_mesh(&args.source, field)?.0);
+    draw(args, &job, &*mesh, start.elapsed(), |wish, bar| device::renderer(&mesh, wish, bar))
+}
+
+/// Makes a renderer, draws, and tells. `load`: what the mesh took.
+fn draw(
+    args: &RenderArgs,
+    job: &RenderJob,
+    mesh: &dyn Domain,
+    load: Duration,
+    make: impl FnOnce(&Wish<'_>, &ProgressBar) -> Result<Chosen>,
+) -> anyhow::Result<()> {
+    let (camera, transfer) = job.scene.resolve(mesh)?;
     let bar = progress::bar("rendering");
     let start = Instant::now();
     let settings = args.choices.settings();
-    let wish = device::Wish { device: args.device, settings, transfer: &transfer, optics: &job.scene.optics };
-    let device::Chosen { mut renderer, note } = progress::step("preparing", || device::renderer(&mesh, &wish, &bar))?;
+    let wish = Wish { device: args.device, settings, transfer: &transfer, optics: &job.scene.optics };
+    let Chosen { mut renderer, note } = progress::step("preparing", || make(&wish, &bar))?;
     let prepare = start.elapsed();
     let background = job.scene.premultiplied_background();
     let frame =
@@ -33,14 +56,14 @@ pub(super) fn run(args: &RenderArgs) -> anyhow::Result<()> {
     }
     rendered.stats.notes.splice(0..0, note);
     let frames = if timed || args.repeat > 1 { time_frames(&mut *renderer, &frame, args.repeat)? } else { Vec::new() };
-    let image = if args.legend { legend::beside(&rendered.image, &mesh, &transfer)? } else { rendered.image };
+    let image = if args.legend { legend::beside(&rendered.image, mesh, &transfer)? } else { rendered.image };
     progress::step("writing", || output::whole(|| image.write(&args.output, job.encoding)))?;
     for text in &rendered.stats.notes {
         output::note(&format!("note: {text}"));
     }
     if timed || args.repeat > 1 {
         let timing = Timing { load, prepare, frames };
-        let report = Report::new(args, &mesh, job.scene.size, &rendered.stats, &timing);
+        let report = Report::new(args, mesh, job.scene.size, &rendered.stats, &timing);
         if args.explain {
             output::note(&report.explain());
         } else if args.stats.is_none() {
@@ -54,7 +77,6 @@ pub(super) fn run(args: &RenderArgs) -> anyhow::Result<()> {
 }
 
 fn time_frames(renderer: &mut dyn Renderer, frame: &Frame<'_>, count: u32) -> anyhow::Result<Vec<Duration>> {
-    let frames =
-        progress::step("timing", || (0..count).map(|_| renderer.render_only(frame)).collect::<Result<_, _>>())?;
+    let frames = progress::step("timing", || (0..count).map(|_| renderer.render_only(frame)).collect::<Result<_>>())?;
     Ok(frames)
 }

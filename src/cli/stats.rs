@@ -9,7 +9,7 @@ use serde::{Serialize, Serializer};
 use super::args::{ChoiceArgs, Device, RenderArgs};
 use crate::plan::order::Inversions;
 use crate::renderer::{RayCounts, Stats};
-use crate::tet::TetMesh;
+use crate::tet::Domain;
 
 /// Clocks of one run.
 pub(super) struct Timing {
@@ -53,7 +53,7 @@ pub(super) struct Report<'a> {
 struct MeshSize<'a> {
     field: &'a str,
     vertices: usize,
-    tets: usize,
+    tets: u64,
 }
 
 #[derive(Serialize)]
@@ -103,7 +103,7 @@ struct Buffer<'a> {
 }
 
 impl<'a> Report<'a> {
-    pub fn new(args: &RenderArgs, mesh: &'a TetMesh, size: [u32; 2], stats: &'a Stats, timing: &Timing) -> Self {
+    pub fn new(args: &RenderArgs, mesh: &'a dyn Domain, size: [u32; 2], stats: &'a Stats, timing: &Timing) -> Self {
         let mut seconds: Vec<f64> = timing.frames.iter().map(Duration::as_secs_f64).collect();
         seconds.sort_by(f64::total_cmp);
         let passes = stats.passes.iter().map(|p| Pass { pass: &p.pass, work: &p.work, ms: 1e3 * p.time.as_secs_f64() });
@@ -111,7 +111,7 @@ impl<'a> Report<'a> {
             adapter: &stats.adapter,
             device: args.device,
             settings: args.choices,
-            mesh: MeshSize { field: &mesh.field, vertices: mesh.vertices.len(), tets: mesh.tets.len() },
+            mesh: MeshSize { field: mesh.field(), vertices: mesh.vertex_count(), tets: mesh.tet_count() },
             image: ImageSize { width: size[0], height: size[1] },
             cells: Cells(&stats.cells),
             rays: stats.rays.map(|RayCounts { steps, repaired, lost }| Rays { steps, repaired, lost }),

@@ -178,10 +178,6 @@ impl Renderer for CpuRenderer {
         self.draw(frame)?;
         Ok(start.elapsed())
     }
-
-    fn mesh(&self) -> &TetMesh {
-        &self.mesh
-    }
 }
 
 #[cfg(test)]

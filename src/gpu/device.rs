@@ -21,7 +21,8 @@ pub enum DeviceChoice {
     Hardware,
 }
 
-/// An opened device.
+/// An opened device; clones are the same one.
+#[derive(Clone)]
 pub struct Gpu {
     /// wgpu's device.
     pub device: wgpu::Device,

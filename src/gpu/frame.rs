@@ -5,10 +5,10 @@ use glam::{DVec3, Vec3};
 use crate::gpu::layout;
 use crate::renderer::Frame;
 use crate::scene::{Camera, Projection};
-use crate::tet::TetMesh;
+use crate::tet::Domain;
 
 /// The camera, picture and background, in mesh space; counts are left 0.
-pub fn camera_uniform(frame: &Frame<'_>, mesh: &TetMesh) -> layout::Frame {
+pub fn camera_uniform(frame: &Frame<'_>, mesh: &(impl Domain + ?Sized)) -> layout::Frame {
     let camera: &Camera = frame.camera;
     let basis = camera.basis();
     let eye = mesh.mesh_from_data(camera.eye);
@@ -40,15 +40,15 @@ pub fn camera_uniform(frame: &Frame<'_>, mesh: &TetMesh) -> layout::Frame {
 }
 
 /// Half the picture's height at depth 1 (perspective) or everywhere (orthographic, mesh units).
-fn half_height(camera: &Camera, mesh: &TetMesh) -> f64 {
+fn half_height(camera: &Camera, mesh: &(impl Domain + ?Sized)) -> f64 {
     match camera.projection {
         Projection::Perspective { fov_y } => (0.5 * fov_y).tan(),
-        Projection::Orthographic { height } => 0.5 * height / mesh.data_per_mesh,
+        Projection::Orthographic { height } => 0.5 * height / mesh.data_per_mesh(),
     }
 }
 
 /// True where all of the mesh is before the eye and within a picture so many times as large, `margin` pixels inside it.
-pub fn lies_within(frame: &Frame<'_>, mesh: &TetMesh, scale: f64, margin: f64) -> bool {
+pub fn lies_within(frame: &Frame<'_>, mesh: &(impl Domain + ?Sized), scale: f64, margin: f64) -> bool {
     let (camera, basis) = (frame.camera, frame.camera.basis());
     let [width, height] = frame.size.map(f64::from);
     let half = half_height(camera, mesh);

@@ -181,3 +181,33 @@ pub struct Chunk {
     pub pad_a: u32,
     pub pad_b: u32,
 }
+
+/// `shared/grid.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "the fields are documented in the shader")]
+pub struct Grid {
+    pub points: [u32; 3],
+    pub least_depth: f32,
+    pub nearest: [u32; 3],
+    pub longest_edge: f32,
+    pub low: [u32; 3],
+    pub pad_a: u32,
+    pub high: [u32; 3],
+    pub pad_b: u32,
+    pub near_low: [u32; 3],
+    pub pad_c: u32,
+    pub near_high: [u32; 3],
+    pub pad_d: u32,
+}
+
+/// `grid_candidates.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[expect(missing_docs, reason = "the fields are documented in the shader")]
+pub struct BrickCount {
+    pub cells: u32,
+    pub bands: u32,
+    pub pairs: u32,
+    pub most: u32,
+}

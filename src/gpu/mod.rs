@@ -4,6 +4,7 @@ mod cells;
 mod cover;
 mod device;
 mod frame;
+mod grid;
 mod integral;
 pub mod layout;
 mod light;
@@ -26,5 +27,6 @@ mod transfer;
 mod widgets;
 
 pub use device::{DeviceChoice, Gpu};
+pub use grid::GridRenderer;
 pub use raycast::RayCaster;
 pub use renderer::GpuRenderer;

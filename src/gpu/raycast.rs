@@ -278,7 +278,7 @@ impl RayCaster {
             None => FragmentLists::new(&self.gpu, frame.size, FragmentLists::turns(&self.gpu), true)?,
         };
         let (gpu, target) = (&self.gpu, self.target.as_ref().ok_or_else(unprepared)?);
-        let camera = gpu.uniform("frame", &[frame::camera_uniform(frame, &self.mesh)]);
+        let camera = gpu.uniform("frame", &[frame::camera_uniform(frame, &*self.mesh)]);
         let resources = Resources::default().with("frame", &camera).with_texture("picture", &target.picture);
         let mut recorder = Recorder::new(gpu, to.timed);
         lists.clear(&mut recorder);
@@ -426,10 +426,6 @@ impl Renderer for RayCaster {
         let start = Instant::now();
         self.draw_frame(frame, false)?;
         Ok(start.elapsed())
-    }
-
-    fn mesh(&self) -> &TetMesh {
-        &self.mesh
     }
 }
 

@@ -31,13 +31,13 @@ use crate::scene::{EmissionModel, Projection, TransferFunction};
 use crate::tet::TetMesh;
 
 /// Nothing in front of what lies behind.
-const EMPTY: wgpu::LoadOp<wgpu::Color> = wgpu::LoadOp::Clear(wgpu::Color { r: 0.0, g: 0.0, b: 0.0, a: 1.0 });
-const ZERO: wgpu::LoadOp<wgpu::Color> = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
+pub const EMPTY: wgpu::LoadOp<wgpu::Color> = wgpu::LoadOp::Clear(wgpu::Color { r: 0.0, g: 0.0, b: 0.0, a: 1.0 });
+pub const ZERO: wgpu::LoadOp<wgpu::Color> = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
 
 /// Pairs of bands are drawn instead of bands where there are so many times as many of these: fewer spans, each of which
 /// costs more a fragment. On lavapipe as many bands as pairs (a linear function) took 0.95 times as long a frame, 1.4 times
 /// as many (584,000 cells) 1.3 times.
-const PAIRS_PAY: f64 = 1.1;
+pub const PAIRS_PAY: f64 = 1.1;
 
 /// Cells of one draw on a software adapter: lavapipe bins a draw's triangles, at 300 bytes each, before it shades them,
 /// and these fit the caches. 16,384 took 1.25 times as long a frame (584,000 cells), 1,024 as long for its passes.
@@ -76,6 +76,9 @@ impl GpuRenderer {
     pub fn new(gpu: Gpu, mesh: Arc<TetMesh>, settings: Settings) -> Result<Self> {
         if settings.method == Method::RayCast {
             return Err(Error::Asked("this renderer projects cells: make a RayCaster to cast rays".into()));
+        }
+        if settings.order == OrderMethod::Structured {
+            return Err(Error::Asked("a structured order is a grid's: make a GridRenderer".into()));
         }
         let f16 = match settings.blend {
             BlendFormat::Auto => !gpu.blends_f32(),
@@ -132,6 +135,11 @@ impl GpuRenderer {
             order.iter_mut().for_each(|span| *span >>= SPAN_BITS);
         }
         Ok(order)
+    }
+
+    /// The last frame's picture, which stays on the device.
+    pub(super) fn picture(&self) -> Option<&wgpu::TextureView> {
+        self.target.as_ref().map(|target| &target.picture)
     }
 
     /// Makes kernels and marks candidates where the transfer function or what kernels are specialised to changed.
@@ -266,7 +274,7 @@ impl GpuRenderer {
         let light = light::uniform(frame.optics, &frame.camera.basis());
         self.gpu.queue.write_buffer(&self.light, 0, bytemuck::bytes_of(&light));
         let has_viewport = frame.size.iter().all(|&n| n <= self.gpu.device.limits().max_texture_dimension_2d / 2);
-        let clipped = !has_viewport || pieces.is_some() || !frame::lies_within(frame, &self.mesh, GUARD, LONGEST_HAIR);
+        let clipped = !has_viewport || pieces.is_some() || !frame::lies_within(frame, &*self.mesh, GUARD, LONGEST_HAIR);
         let mut lists = None;
         if variant.lists {
             lists = Some(self.need_lists(frame.size, clipped)?);
@@ -377,7 +385,7 @@ impl GpuRenderer {
                 Some(spans) => spans.count + pieces.map_or(0, |p| p.spans),
                 None => tet_count,
             },
-            ..frame::camera_uniform(frame, &self.mesh)
+            ..frame::camera_uniform(frame, &*self.mesh)
         }
     }
 
@@ -429,10 +437,6 @@ impl Renderer for GpuRenderer {
         let start = Instant::now();
         self.draw_frame(frame, false)?;
         Ok(start.elapsed())
-    }
-
-    fn mesh(&self) -> &TetMesh {
-        &self.mesh
     }
 }
 

@@ -73,7 +73,7 @@ pub struct SlabKernels {
 }
 
 /// Colour behind is scaled by the transmittance (in the source's alpha), and so is the transmittance behind.
-const BACK_TO_FRONT: wgpu::BlendState = wgpu::BlendState {
+pub const BACK_TO_FRONT: wgpu::BlendState = wgpu::BlendState {
     color: wgpu::BlendComponent {
         src_factor: wgpu::BlendFactor::One,
         dst_factor: wgpu::BlendFactor::SrcAlpha,
@@ -98,7 +98,8 @@ pub const LONGEST_HAIR: f64 = 64.0;
 /// How much larger the viewport is than the picture where outlines are not to be clipped.
 pub const GUARD: f64 = 2.0;
 
-fn target(format: wgpu::TextureFormat, blend: Option<wgpu::BlendState>) -> Option<wgpu::ColorTargetState> {
+/// A target of a draw.
+pub fn target(format: wgpu::TextureFormat, blend: Option<wgpu::BlendState>) -> Option<wgpu::ColorTargetState> {
     Some(wgpu::ColorTargetState { format, blend, write_mask: wgpu::ColorWrites::ALL })
 }
 
@@ -245,7 +246,7 @@ impl SceneKernels {
             let write_mask = wgpu::ColorWrites::empty();
             let format = if self.f16 { wgpu::TextureFormat::Rgba16Float } else { wgpu::TextureFormat::Rgba32Float };
             let target = wgpu::ColorTargetState { format, blend: None, write_mask };
-            let kernel = |end: &str| {
+            let kernel = |end: &'static str| {
                 self.cell_kernel(gpu, "listed", end, clipped, true, std::slice::from_ref(&Some(target.clone())))
             };
             let kernels = ListKernels { tally: kernel("fragment_tally")?, list: kernel("_listed")? };
@@ -264,23 +265,18 @@ impl SceneKernels {
         &self,
         gpu: &Gpu,
         pass: &'static str,
-        ending: &str,
+        ending: &'static str,
         clipped: bool,
         deep: bool,
         targets: &[Option<wgpu::ColorTargetState>],
     ) -> Result<DrawKernel> {
-        let (bivariate, in_spans) = (self.transfer.bivariate, self.spans.is_some());
-        let shaded = self.variant.shading.is_on();
-        let attributes = corner_attributes(bivariate, in_spans, shaded);
-        let array_stride = attributes.iter().map(|a| a.format.size()).sum();
-        let corners =
-            wgpu::VertexBufferLayout { array_stride, step_mode: wgpu::VertexStepMode::Vertex, attributes: &attributes };
-        let [vertex, fragment] = raster_entries(bivariate, in_spans, shaded, ending);
-        let module = Module::new(pass)?;
-        let (module, scale) = if clipped { (module.in_perspective(), 1.0) } else { (module, 1.0 / GUARD) };
-        let constants = [&self.constants[..], &[("CLIP_SCALE", scale), ("DEEP", f64::from(u8::from(deep)))]].concat();
-        let entries = [vertex.as_str(), fragment.as_str()];
-        gpu.draw_kernel(module, entries, &constants, targets, &[Some(corners)], self.variant.cover.culled())
+        let kind = CornerKind {
+            bivariate: self.transfer.bivariate,
+            in_spans: self.spans.is_some(),
+            shaded: self.variant.shading.is_on(),
+        };
+        let constants = [&self.constants[..], &[("DEEP", f64::from(u8::from(deep)))]].concat();
+        kind.kernel(gpu, [pass, ending], clipped, self.variant.cover, &constants, targets)
     }
 
     /// The raster pass, after [`Self::need_raster`].
@@ -291,6 +287,45 @@ impl SceneKernels {
     /// The cull pass; `near_cut` only after [`Self::need_near_cut`].
     pub fn cull(&self, near_cut: bool) -> &Kernel {
         self.cull_near.as_ref().filter(|_| near_cut).unwrap_or(&self.cull)
+    }
+}
+
+/// What the corners of cells hold.
+#[derive(Clone, Copy, Debug)]
+pub struct CornerKind {
+    /// Gradient magnitudes.
+    pub bivariate: bool,
+    /// The span that is drawn.
+    pub in_spans: bool,
+    /// Gradient vectors.
+    pub shaded: bool,
+}
+
+impl CornerKind {
+    /// A pass that draws cells, and the ending of its fragment entry point, or all of that one's name; `clipped`: outlines
+    /// may leave the viewport.
+    ///
+    /// # Errors
+    /// A shader that does not compile.
+    pub fn kernel(
+        self,
+        gpu: &Gpu,
+        [pass, ending]: [&'static str; 2],
+        clipped: bool,
+        cover: Cover,
+        constants: &[(&'static str, f64)],
+        targets: &[Option<wgpu::ColorTargetState>],
+    ) -> Result<DrawKernel> {
+        let attributes = corner_attributes(self.bivariate, self.in_spans, self.shaded);
+        let array_stride = attributes.iter().map(|a| a.format.size()).sum();
+        let corners =
+            wgpu::VertexBufferLayout { array_stride, step_mode: wgpu::VertexStepMode::Vertex, attributes: &attributes };
+        let [vertex, fragment] = raster_entries(self.bivariate, self.in_spans, self.shaded, ending);
+        let module = Module::new(pass)?;
+        let (module, scale) = if clipped { (module.in_perspective(), 1.0) } else { (module, 1.0 / GUARD) };
+        let constants = [constants, &[("CLIP_SCALE", scale)]].concat();
+        let entries = [vertex.as_str(), fragment.as_str()];
+        gpu.draw_kernel(module, entries, &constants, targets, &[Some(corners)], cover.culled())
     }
 }
 

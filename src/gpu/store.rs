@@ -267,8 +267,8 @@ fn chunk_cells(tets: u32) -> u32 {
     (1u32 << (tets / 8).max(1).ilog2()).clamp(16_384, 262_144).min(tets.max(1).next_multiple_of(256))
 }
 
-/// Each cell's triangles.
-fn triangle_indices(cover: Cover, cells: u32) -> Vec<u32> {
+/// The triangles of so many cells.
+pub fn triangle_indices(cover: Cover, cells: u32) -> Vec<u32> {
     (0..cells).flat_map(|cell| cover.triangles().iter().map(move |corner| cell * 4 + corner)).collect()
 }
 

@@ -3,6 +3,7 @@
 use crate::error::{Error, Result};
 use crate::gpu::device::Gpu;
 use crate::gpu::record::Recorder;
+use crate::gpu::scene::GUARD;
 use crate::image::Image;
 
 /// What is drawn into.
@@ -61,8 +62,11 @@ impl Target {
         let bound = wgpu::TextureUsages::TEXTURE_BINDING;
         let f32_format = wgpu::TextureFormat::Rgba32Float;
         let blend_format = if f16 { wgpu::TextureFormat::Rgba16Float } else { f32_format };
-        let picture_texture =
-            texture("picture", f32_format, wgpu::TextureUsages::COPY_SRC | wgpu::TextureUsages::STORAGE_BINDING);
+        let picture_texture = texture(
+            "picture",
+            f32_format,
+            bound | wgpu::TextureUsages::COPY_SRC | wgpu::TextureUsages::STORAGE_BINDING,
+        );
         Ok(Self {
             size,
             blended: view(&texture("blended", blend_format, bound)),
@@ -73,6 +77,15 @@ impl Target {
             }),
             picture_texture,
         })
+    }
+
+    /// A viewport beyond which outlines do not reach, where they are not to be clipped.
+    pub fn set_viewport(&self, pass: &mut wgpu::RenderPass<'_>, clipped: bool) {
+        if !clipped {
+            let [width, height] = self.size.map(|n| n as f32);
+            let (scale, shift) = (GUARD as f32, 0.5 * (1.0 - GUARD as f32));
+            pass.set_viewport(shift * width, shift * height, scale * width, scale * height, 0.0, 1.0);
+        }
     }
 
     /// The finished picture.

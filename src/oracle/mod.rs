@@ -47,6 +47,11 @@ impl fmt::Debug for Oracle {
 }
 
 impl Oracle {
+    /// What is rendered.
+    pub fn mesh(&self) -> &TetMesh {
+        &self.mesh
+    }
+
     /// Renders `mesh`.
     pub fn new(mesh: Arc<TetMesh>) -> Self {
         Self { mesh, progress: Box::new(|_| ()) }
@@ -124,9 +129,5 @@ impl Renderer for Oracle {
         let start = Instant::now();
         self.image(frame)?;
         Ok(start.elapsed())
-    }
-
-    fn mesh(&self) -> &TetMesh {
-        &self.mesh
     }
 }

@@ -5,3 +5,4 @@ pub mod eye;
 pub mod lens;
 pub mod near;
 pub mod order;
+pub mod voxels;

@@ -21,6 +21,8 @@ pub enum OrderMethod {
     Exact,
     /// Each pixel's fragments by their own depth, whatever the order of cells: exact.
     PerPixel,
+    /// As a grid's voxels lie around the eye: exact, and known without sorting.
+    Structured,
 }
 
 impl fmt::Display for OrderMethod {
@@ -32,6 +34,7 @@ impl fmt::Display for OrderMethod {
             Self::Mpvonc => "mpvonc",
             Self::Exact => "exact",
             Self::PerPixel => "per-pixel",
+            Self::Structured => "structured",
         })
     }
 }

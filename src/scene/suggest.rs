@@ -2,7 +2,7 @@
 
 use super::{TransferFunction, Widget, WidgetShape};
 use crate::space::Bounds;
-use crate::tet::{JointHistogram, TetMesh};
+use crate::tet::{Domain, JointHistogram};
 
 /// Mean optical depth over the silhouette of the mesh's box, all widgets together: neither empty nor opaque. Along
 /// the box's diagonal it is two to three times as much.
@@ -30,7 +30,7 @@ const PLAIN: [f64; 3] = [0.6; 3];
 /// the mean over a neighbourhood in the histogram): large homogeneous regions weigh little and stay thin. Each one's
 /// extinction makes its share of the volume add the same optical depth, so that small features are dense and large
 /// ones transparent. A constant field gets one uniform widget. Deterministic; shows something on every mesh.
-pub fn suggest(mesh: &TetMesh, histogram: &JointHistogram) -> TransferFunction {
+pub fn suggest(mesh: &(impl Domain + ?Sized), histogram: &JointHistogram) -> TransferFunction {
     let depth_per_extinction = mean_path(mesh.bounds_in_data(), histogram.total());
     let constant = histogram.scalar.length() <= 1e-12 * histogram.scalar.max.abs().max(histogram.scalar.min.abs());
     let shapes = if constant { Vec::new() } else { place(histogram) };

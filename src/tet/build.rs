@@ -79,7 +79,7 @@ impl TetMesh {
     }
 }
 
-fn note_text(note: ReadNote) -> String {
+pub(super) fn note_text(note: ReadNote) -> String {
     if note.count == 0 { note.text } else { format!("{} ({})", note.text, note.count) }
 }
 

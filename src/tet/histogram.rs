@@ -26,22 +26,33 @@ pub struct JointHistogram {
 impl JointHistogram {
     /// Distributes the mesh's volume over `bins` (scalar, gradient magnitude), at least one each.
     pub fn new(mesh: &TetMesh, bins: [usize; 2]) -> Self {
+        Self::of(bins, [mesh.scalar_range(), mesh.gradient_range()], mesh.tets.len(), |t| {
+            let pick = |values: &[f64]| mesh.tets[t].map(|v| values[v as usize]);
+            (mesh.volume_in_data(TetId(t as u32)), pick(&mesh.scalar), pick(&mesh.gradient_magnitude))
+        })
+    }
+
+    /// The same of `count` tetrahedra; `tet`: volume, scalars and gradient magnitudes of one, within `ranges`.
+    pub(super) fn of(
+        bins: [usize; 2],
+        [scalar, gradient]: [Interval; 2],
+        count: usize,
+        tet: impl Fn(usize) -> (f64, [f64; 4], [f64; 4]) + Sync,
+    ) -> Self {
         const POINTS_IN_ALL: usize = 1_000_000;
         const POINTS: (usize, usize) = (16, 4096);
         /// Runs of tetrahedra that are summed side by side, each with its own bins: a fixed number, so that sums come
         /// out equal on every machine.
         const RUNS: usize = 4;
         let bins = bins.map(|n| n.max(1));
-        let (scalar, gradient) = (mesh.scalar_range(), mesh.gradient_range());
-        let points = sample_points((POINTS_IN_ALL / mesh.tets.len().max(1) / 4 * 4).clamp(POINTS.0, POINTS.1));
-        let run_length = mesh.tets.len().div_ceil(RUNS).max(1);
+        let points = sample_points((POINTS_IN_ALL / count.max(1) / 4 * 4).clamp(POINTS.0, POINTS.1));
+        let run_length = count.div_ceil(RUNS).max(1);
         let (at_s, at_g) = (Binning::new(scalar, bins[0]), Binning::new(gradient, bins[1]));
         let sum_run = |run: usize| {
             let mut counts = vec![0.0; bins[0] * bins[1]];
-            for t in run * run_length..((run + 1) * run_length).min(mesh.tets.len()) {
-                let share = mesh.volume_in_data(TetId(t as u32)) / points.len() as f64;
-                let s = mesh.tets[t].map(|v| mesh.scalar[v as usize]);
-                let g = mesh.tets[t].map(|v| mesh.gradient_magnitude[v as usize]);
+            for t in run * run_length..((run + 1) * run_length).min(count) {
+                let (volume, s, g) = tet(t);
+                let share = volume / points.len() as f64;
                 for weights in &points {
                     counts[at_g.index(mix(weights, g)) * bins[0] + at_s.index(mix(weights, s))] += share;
                 }

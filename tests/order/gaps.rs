@@ -122,6 +122,5 @@ fn equal_keys_give_one_picture() {
 }
 
 fn oracle_mesh(oracle: &Oracle) -> &TetMesh {
-    use tetralux::renderer::Renderer as _;
     oracle.mesh()
 }

@@ -4,7 +4,6 @@ use super::{EMPTY, GpuRenderer, SOFTWARE_DRAW, ZERO, unprepared};
 use crate::error::Result;
 use crate::gpu::device::Resources;
 use crate::gpu::record::{Recorder, Work};
-use crate::gpu::scene::GUARD;
 use crate::gpu::slabs::Slabs;
 use crate::gpu::sort;
 use crate::gpu::store::DEEP_SPAN;
@@ -35,7 +34,7 @@ impl GpuRenderer {
             self.project_chunk(recorder, all, chunk)?;
             let mut draw = |range: Option<std::ops::Range<u32>>, deep: bool| {
                 recorder.draw(raster(deep)?, &raster_groups, &[(&target.blended, load)], |pass| {
-                    self.set_viewport(pass, clipped);
+                    target.set_viewport(pass, clipped);
                     pass.set_index_buffer(store.indices.slice(..), wgpu::IndexFormat::Uint32);
                     pass.set_vertex_buffer(0, store.cells.corners.slice(..));
                     match range {
@@ -64,15 +63,6 @@ impl GpuRenderer {
             }
         }
         self.finish_picture(recorder, &target.blended)
-    }
-
-    /// A viewport beyond which outlines do not reach, where they are not to be clipped.
-    pub(super) fn set_viewport(&self, pass: &mut wgpu::RenderPass<'_>, clipped: bool) {
-        if let (false, Some(target)) = (clipped, &self.target) {
-            let [width, height] = target.size.map(|n| n as f32);
-            let (scale, shift) = (GUARD as f32, 0.5 * (1.0 - GUARD as f32));
-            pass.set_viewport(shift * width, shift * height, scale * width, scale * height, 0.0, 1.0);
-        }
     }
 
     /// Makes the corners of one chunk's cells.
@@ -156,7 +146,7 @@ impl GpuRenderer {
                 let end = range.end.min(first + store.chunk_cells) - first;
                 let targets = [(&target.blended, loads[0]), (&slab_target.layers, loads[1])];
                 recorder.draw(raster, &raster_groups, &targets, |pass| {
-                    self.set_viewport(pass, clipped);
+                    target.set_viewport(pass, clipped);
                     pass.set_index_buffer(store.indices.slice(..), wgpu::IndexFormat::Uint32);
                     pass.set_vertex_buffer(0, store.cells.corners.slice(..));
                     pass.draw_indexed(start * indices..end * indices, 0, 0..1);

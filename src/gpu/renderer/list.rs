@@ -60,7 +60,7 @@ impl GpuRenderer {
                 self.project_chunk(recorder, &all, chunk)?;
             }
             recorder.draw(kernel, &groups, &[(&target.blended, wgpu::LoadOp::Load)], |pass| {
-                self.set_viewport(pass, clipped);
+                target.set_viewport(pass, clipped);
                 if let Some(strip) = strip {
                     let [top, height] = strip.rows(lists.size[0]);
                     pass.set_scissor_rect(0, top, lists.size[0], height);

@@ -42,7 +42,7 @@ impl VisibilityOrder {
     }
 
     /// Of what is known to hold every cell once.
-    pub(super) fn of_permutation(cells: Vec<u32>) -> Self {
+    pub(in crate::plan) fn of_permutation(cells: Vec<u32>) -> Self {
         debug_assert!(Self::new(cells.clone()).is_ok());
         Self { cells }
     }

@@ -1,0 +1,245 @@
+//! Projected tetrahedra of a structured grid, none of which is held (Maximo et al. 2007): voxels are drawn in the order
+//! in which they lie around the eye, a batch of bricks at a time.
+
+mod draw;
+mod scene;
+mod store;
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use self::scene::GridScene;
+use self::store::GridStore;
+use crate::error::{Error, Result};
+use crate::gpu::device::Gpu;
+use crate::gpu::light::Shading;
+use crate::gpu::renderer::{GpuRenderer, unprepared};
+use crate::gpu::sort;
+use crate::gpu::store::{DEEP_SPAN, SPAN_BITS};
+use crate::gpu::target::Target;
+use crate::gpu::transfer::TransferBuffers;
+use crate::plan::voxels::{self, BRICK, Near};
+use crate::renderer::{BlendFormat, BufferSize, Frame, Method, OrderMethod, Rendered, Renderer, Settings, Stats};
+use crate::scene::{Optics, Projection};
+use crate::space::Bounds;
+use crate::tet::{Domain as _, Grid, VoxelBox};
+
+/// Renders one grid by projection, without a list of its tetrahedra and without sorting.
+pub struct GridRenderer {
+    gpu: Gpu,
+    grid: Arc<Grid>,
+    settings: Settings,
+    /// The voxels that are drawn.
+    part: VoxelBox,
+    store: GridStore,
+    scene: Option<GridScene>,
+    target: Option<Target>,
+    /// The batches' frames.
+    frames: Vec<wgpu::Buffer>,
+    /// What draws the voxels around the eye.
+    near: Option<(VoxelBox, GpuRenderer)>,
+    last_batch: Option<LastBatch>,
+}
+
+/// The last bricks that were drawn, for [`GridRenderer::order`].
+struct LastBatch {
+    bricks: Vec<u32>,
+    nearest: [usize; 3],
+}
+
+impl GridRenderer {
+    /// Uploads the grid.
+    ///
+    /// # Errors
+    /// A grid beyond the device's limits (with the numbers); what this renderer does not do.
+    pub fn new(gpu: Gpu, grid: Arc<Grid>, settings: Settings) -> Result<Self> {
+        if !matches!(settings.method, Method::Auto | Method::Project) {
+            return Err(Error::Asked(
+                "a structured order is one of projected cells: render with --method project, or with another --order"
+                    .into(),
+            ));
+        }
+        if settings.blend == BlendFormat::F16 || !gpu.blends_f32() {
+            return Err(Error::Asked(format!(
+                "a structured order is blended in f32 alone, which '{}' {}: render with --order centroid, or --device \
+                 software",
+                gpu.info.name,
+                if gpu.blends_f32() { "can, and f16 was asked for" } else { "cannot" }
+            )));
+        }
+        let store = GridStore::new(&gpu, &grid)?;
+        let part = grid.all();
+        Ok(Self {
+            gpu,
+            grid,
+            settings,
+            part,
+            store,
+            scene: None,
+            target: None,
+            frames: Vec::new(),
+            near: None,
+            last_batch: None,
+        })
+    }
+
+    /// The same of the voxels that reach into a box alone, which is in data space and parallel to the axes.
+    ///
+    /// # Errors
+    /// [`Error::Asked`] for a box that holds none.
+    pub fn clipped_to(mut self, bounds: &Bounds) -> Result<Self> {
+        let in_mesh = Bounds { min: self.grid.mesh_from_data(bounds.min), max: self.grid.mesh_from_data(bounds.max) };
+        self.part = self.grid.voxels_in(&in_mesh);
+        if self.part.count() == 0 {
+            let all = self.grid.bounds_in_data();
+            return Err(Error::Asked(format!(
+                "the clipping box from {} to {} holds nothing of the grid, which reaches from {} to {}",
+                bounds.min, bounds.max, all.min, all.max
+            )));
+        }
+        self.scene = None;
+        Ok(self)
+    }
+
+    /// The tetrahedra of the last frame's last batch, 1,024 bricks of 8 x 8 x 8 voxels at most, as they were drawn:
+    /// back to front, numbered as those of the mesh that five a voxel make.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn order(&self) -> Result<Vec<u32>> {
+        let (Some(scene), Some(batch)) = (&self.scene, &self.last_batch) else { return Ok(Vec::new()) };
+        let listed = u64::from(sort::survivors(&self.gpu, &self.store.counts)?);
+        let mut entries: Vec<u32> = self.gpu.read(self.store.order(), listed * 4)?;
+        if scene.spans.is_some() {
+            // A cell is where its first span is.
+            entries.retain(|span| span % DEEP_SPAN == 0);
+            entries.iter_mut().for_each(|span| *span >>= SPAN_BITS);
+        }
+        let voxels = self.grid.voxels();
+        let tet = |entry: u32| {
+            let (slot, k) = (entry as usize / 8, entry % 8);
+            let first = scene::unpacked(batch.bricks[slot / 512]).map(|brick| brick * BRICK);
+            let turns = [slot % 8, slot / 8 % 8, slot / 64 % 8];
+            let at: [usize; 3] = std::array::from_fn(|axis| {
+                let nearest = batch.nearest[axis].clamp(first[axis], first[axis] + BRICK - 1) - first[axis];
+                // It is its own inverse.
+                first[axis] + voxels::turn(nearest, BRICK, turns[axis])
+            });
+            (5 * (at[0] + voxels[0] * (at[1] + voxels[1] * at[2]))) as u32 + k
+        };
+        Ok(entries.into_iter().map(tet).collect())
+    }
+
+    fn prepare_scene(&mut self, frame: &Frame<'_>) -> Result<()> {
+        let perspective = matches!(frame.camera.projection, Projection::Perspective { .. });
+        let emission = frame.optics.emission;
+        let same = |s: &GridScene| {
+            s.transfer.source == *frame.transfer && s.transfer.emission == emission && s.perspective == perspective
+        };
+        if self.scene.as_ref().is_some_and(same) {
+            return Ok(());
+        }
+        let transfer = TransferBuffers::new(
+            &self.gpu,
+            frame.transfer,
+            self.settings.integral,
+            emission,
+            self.store.scalar,
+            self.store.gradient,
+            self.grid.data_per_mesh,
+        )?;
+        if transfer.bivariate {
+            self.store.need_gradients(&self.gpu, &self.grid);
+        }
+        self.write_grid([0; 3], None);
+        self.scene = Some(GridScene::new(&self.gpu, &self.store, transfer, perspective, self.settings)?);
+        Ok(())
+    }
+
+    /// Draws the voxels around the eye, which are cut; true where there are any.
+    fn draw_near(&mut self, frame: &Frame<'_>, near: &Near) -> Result<bool> {
+        if near.voxels.count() == 0 {
+            return Ok(false);
+        }
+        if self.near.as_ref().is_none_or(|(voxels, _)| *voxels != near.voxels) {
+            // Pieces of one cell have no order of their own.
+            let settings = Settings { order: OrderMethod::PerPixel, ..self.settings };
+            let mesh = Arc::new(self.grid.tets_of(&near.voxels));
+            self.near = Some((near.voxels, GpuRenderer::new(self.gpu.clone(), mesh, settings)?));
+        }
+        let camera = crate::scene::Camera { near: Some(near.near), ..*frame.camera };
+        let (_, renderer) = self.near.as_mut().ok_or_else(unprepared)?;
+        renderer.render_only(&Frame { camera: &camera, background: [0.0; 4], ..*frame })?;
+        Ok(true)
+    }
+
+    /// Cells after each stage of the last frame.
+    fn cell_counts(&self, near: &VoxelBox) -> Result<Vec<(String, u64)>> {
+        let scene = self.scene.as_ref().ok_or_else(unprepared)?;
+        let drawn: Vec<u32> = self.gpu.read(&self.store.drawn_cells, 4)?;
+        let mut counts = vec![
+            ("in the grid".to_owned(), self.grid.tet_count()),
+            ("that the function can show".to_owned(), scene.shown.iter().map(|b| u64::from(b.cells)).sum()),
+            ("drawn".to_owned(), u64::from(drawn[0])),
+        ];
+        if near.count() > 0 {
+            counts.push(("around the eye, drawn otherwise".to_owned(), 5 * near.count() as u64));
+        }
+        Ok(counts)
+    }
+
+    /// What the device holds a sample, and besides.
+    fn memory_note(&self) -> String {
+        let bytes = |list: &[(&str, &wgpu::Buffer)]| list.iter().map(|(_, b)| b.size()).sum::<u64>();
+        let per_voxel = bytes(&self.store.samples_held()) as f64 / self.grid.scalar.len() as f64;
+        let working = bytes(&self.store.working()) >> 20;
+        format!("{per_voxel:.2} B a voxel on the device, and {working} MiB for what is drawn at a time")
+    }
+}
+
+impl Renderer for GridRenderer {
+    fn render(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Rendered> {
+        let (passes, near) = self.draw_frame(frame, timed)?;
+        let scene = self.scene.as_ref().ok_or_else(unprepared)?;
+        let size = |(name, buffer): (&str, &wgpu::Buffer)| BufferSize { name: name.to_owned(), bytes: buffer.size() };
+        let kind = scene.transfer.describe(self.settings.integral, scene.spans.map(|s| s.paired));
+        let mut notes = vec![self.memory_note()];
+        if near.count() > 0 {
+            notes.push(format!(
+                "{} voxels around the eye were cut, and composed by their fragments' depths",
+                near.count()
+            ));
+        }
+        let stats = Stats {
+            passes,
+            notes,
+            cells: self.cell_counts(&near)?,
+            buffers: self.store.samples_held().into_iter().chain(self.store.working()).map(size).collect(),
+            adapter: self.gpu.describe(),
+            pipelines: format!("{kind}; outlines are drawn, of implied tetrahedra"),
+            order: "structured: exact, as voxels lie around the eye".to_owned(),
+            inversions: None,
+            rays: None,
+        };
+        let image = self.target.as_ref().ok_or_else(unprepared)?.read(&self.gpu)?;
+        Ok(Rendered { image, stats })
+    }
+
+    fn render_only(&mut self, frame: &Frame<'_>) -> Result<Duration> {
+        let start = Instant::now();
+        self.draw_frame(frame, false)?;
+        Ok(start.elapsed())
+    }
+}
+
+/// What cannot be drawn.
+fn check(optics: &Optics) -> Result<()> {
+    if Shading::of(optics).is_on() {
+        return Err(Error::Asked(
+            "lighting and silhouettes need gradient vectors, which a structured order does not have: render with \
+             --order centroid or per-pixel"
+                .into(),
+        ));
+    }
+    Ok(())
+}
