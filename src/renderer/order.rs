@@ -41,7 +41,7 @@ impl fmt::Display for OrderMethod {
 
 /// Up to this optical depth, of the mesh's diagonal at the function's largest extinction, the order by centroids is taken.
 ///
-/// Measured (docs/order.md): there, the worst pixel of the worst mesh errs by less than 1/512.
+/// Measured there, with thin bands on a mesh with 46 % of its neighbours in the wrong order: no pixel errs by more than 5e-5.
 const THIN: f64 = 0.5;
 
 /// An order, and why it was taken.

@@ -164,9 +164,9 @@ fn frames_in_any_succession_are_the_same() {
     let mesh = moved();
     let transfer = rainbow(&mesh, 20, 10.0);
     let views: Vec<Camera> = cameras(&mesh).into_iter().chain([along(&mesh)]).collect();
-    for order in [OrderMethod::Exact, OrderMethod::Power, OrderMethod::PerPixel] {
+    for order in [OrderMethod::Exact, OrderMethod::PerPixel] {
         let mut kept = gpu::renderer(&mesh, by(order));
-        for i in [0, 2, 3, 2, 0, 1, 2] {
+        for i in [0, 2, 3, 0, 2] {
             let fresh = gpu::draw(&mut gpu::renderer(&mesh, by(order)), &views[i], &transfer, [96, 64]).image;
             let again = gpu::draw(&mut kept, &views[i], &transfer, [96, 64]).image;
             assert_same_bits(&again, &fresh, &format!("{order}, view {i}"));
