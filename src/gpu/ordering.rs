@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::gpu::device::Gpu;
 use crate::gpu::store::{Pieces, Store};
 use crate::plan::near::NearCut;
-use crate::plan::order::{self, Inversions, PowerOrder, VisibilityOrder};
+use crate::plan::order::{self, Inversions, PowerOrder, Sequenced};
 use crate::renderer::{Frame, OrderChoice, OrderMethod};
 use crate::scene::Camera;
 use crate::tet::{Adjacency, TetMesh};
@@ -107,10 +107,10 @@ impl Ordering {
         if !store.needs_ranks() && self.ranked.as_ref().is_some_and(same) {
             return;
         }
-        let (order, cycles): (VisibilityOrder, u64) = match method {
-            OrderMethod::Power => (self.power(mesh).order(mesh, &camera), 0),
-            OrderMethod::Mpvonc => sequenced(order::mpvonc(mesh, self.adjacency(mesh), &camera)),
-            _ => sequenced(order::exact(mesh, self.adjacency(mesh), &camera, size)),
+        let Sequenced { order, cycles } = match method {
+            OrderMethod::Power => Sequenced { order: self.power(mesh).order(mesh, &camera), cycles: 0 },
+            OrderMethod::Mpvonc => order::mpvonc(mesh, self.adjacency(mesh), &camera),
+            _ => order::exact(mesh, self.adjacency(mesh), &camera, size),
         };
         let ranks = match near {
             None => order.ranks(),
@@ -129,10 +129,6 @@ impl Ordering {
     pub fn inversions(&self, mesh: &TetMesh, camera: &Camera, drawn: &[u32]) -> Inversions {
         Inversions::of_drawn(mesh, self.adjacency(mesh), camera, drawn)
     }
-}
-
-fn sequenced(order::Sequenced { order, cycles }: order::Sequenced) -> (VisibilityOrder, u64) {
-    (order, cycles)
 }
 
 #[cfg(test)]
