@@ -1,4 +1,5 @@
 #import shared/bound
+#import shared/frame
 #import shared/grid
 
 // Marks the bricks that the transfer function can make visible, by the ranges of their samples.

@@ -1,3 +1,4 @@
+#import shared/frame
 #import shared/grid_bound
 
 // Counts the tetrahedra, and their bands, that the transfer function can make visible in each brick of the list.

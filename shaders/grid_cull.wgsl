@@ -1,5 +1,6 @@
 #import shared/counts
 #import shared/covered
+#import shared/frame
 #import shared/grid_bound
 #import shared/scan
 

@@ -1,3 +1,4 @@
+#import shared/frame
 #import shared/grid_bound
 
 // Lists the batch's surviving tetrahedra, or their spans, back to front. Bricks and voxels are visited in that order

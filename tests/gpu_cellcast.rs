@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use common::boxes::box_mesh;
 use common::gpu::{self, assert_same_bits, by, cells, draw};
-use common::meshes;
+use common::{meshes, views};
 use glam::DVec3;
 use tetralux::gpu::{Gpu, GpuRenderer};
 use tetralux::image::{Comparison, Image};
@@ -45,20 +45,6 @@ fn gaussian(mesh: &TetMesh) -> TransferFunction {
     TransferFunction::Widgets(vec![Widget::new(shape, [0.2, 0.9, 0.4], 20.0 / diagonal)])
 }
 
-/// Outside in perspective and parallel; inside, where the near plane cuts cells.
-fn cameras(mesh: &TetMesh) -> [Camera; 3] {
-    let (target, diagonal) = meshes::center_and_diagonal(mesh);
-    let camera = |away: DVec3, projection| {
-        let eye = target + diagonal * away;
-        Camera { eye, target, up: DVec3::Y, projection, near: None }
-    };
-    [
-        camera(DVec3::new(0.7, 0.45, 0.85), Projection::Perspective { fov_y: 0.8 }),
-        camera(DVec3::new(-0.5, 0.9, 0.3), Projection::Orthographic { height: 0.8 * diagonal }),
-        camera(DVec3::new(0.03, -0.02, 0.05), Projection::Perspective { fov_y: 1.2 }),
-    ]
-}
-
 /// What distinguishes the pictures, if anything.
 fn difference(got: &Image, want: &Image) -> Option<Comparison> {
     let comparison = Comparison::new(got, want).expect("equal sizes");
@@ -72,7 +58,7 @@ fn front_faces_give_the_pictures_of_outlines() {
     for (name, mesh) in [("fire", meshes::fire()), ("tangle", meshes::sample(Sample::Tangle, 20_000))] {
         let mut renderers = gpu::PROJECTIONS.map(|method| gpu::renderer(&mesh, by(method)));
         for (what, transfer) in [("curve", colorful(&mesh)), ("Gaussian", gaussian(&mesh))] {
-            for (i, camera) in cameras(&mesh).iter().enumerate() {
+            for (i, camera) in views::three(&mesh).iter().enumerate() {
                 let [outlines, faces] = renderers.each_mut().map(|r| draw(r, camera, &transfer, SIZE).image);
                 let orders = renderers.each_ref().map(|r| r.order().expect("an order"));
                 assert_eq!(orders[0], orders[1], "{name}, {what}, camera {i}: orders");
@@ -122,7 +108,7 @@ fn a_single_cell_is_whole_from_all_sides() {
 #[test]
 fn both_sorts_and_parts_of_the_mesh_give_the_same_picture() {
     let mesh = meshes::sample(Sample::Tangle, 180_000);
-    let (camera, transfer) = (cameras(&mesh)[0], colorful(&mesh));
+    let (camera, transfer) = (views::three(&mesh)[0], colorful(&mesh));
     let settings = |sort| Settings { sort, ..by(Method::CellCast) };
     let whole = draw(&mut gpu::renderer(&mesh, settings(SortPlace::Host)), &camera, &transfer, SIZE);
     assert!(cells(&whole, "drawn") > 16_384, "more than one chunk is drawn");

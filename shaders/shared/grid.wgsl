@@ -1,5 +1,3 @@
-#import shared/frame
-
 // A grid of samples: voxels are visited brick by brick, 8 x 8 x 8 of them, and cut into five tetrahedra each, in every
 // other voxel mirrored (src/tet/split.rs). A voxel's corner c lies (c & 1, c >> 1 & 1, c >> 2) steps from its first.
 

@@ -24,8 +24,9 @@ struct Rays {
     first_row: u32,
     // Whether its rays have begun before.
     goes_on: u32,
-    pad_a: u32,
-    pad_b: u32,
+    // The eye's depth, from that of the mesh's centre; far behind for parallel rays.
+    eye: f32,
+    pad: u32,
 }
 
 @group(0) @binding(2) var<uniform> rays: Rays;

@@ -141,8 +141,9 @@ fn values_of(t: Triangle, weights: vec3f) -> Values {
     return values;
 }
 
-// Looks for the nearest side of entries[.. end] through which the ray enters behind its last entry, while there are turns.
-fn search(ray: Ray, way: ptr<function, Way>, end: u32) {
+// Looks for the nearest side of entries[.. end] through which the ray enters beyond `after` and behind its last entry, while
+// there are turns.
+fn search(ray: Ray, way: ptr<function, Way>, end: u32, after: f32) {
     let last = (*way).entry;
     for (; (*way).index < end && turns_taken < MOST_TURNS; (*way).index++) {
         turns_taken++;
@@ -151,7 +152,7 @@ fn search(ray: Ray, way: ptr<function, Way>, end: u32) {
         let holds = all(turn_left(t.edges, t.x.yzx, t.y.yzx, t.x.zxy, t.y.zxy, t.ranks.yzx < t.ranks.zxy));
         let weights = weights_of(t);
         let depth = select(t.depths.x, dot(t.depths, weights), any(weights > vec3f(0.0)));
-        if holds && (depth > last.depth || (depth == last.depth && side > last.side)) {
+        if holds && depth > after && (depth > last.depth || (depth == last.depth && side > last.side)) {
             (*way).found++;
             let next = (*way).next;
             if depth < next.depth || (depth == next.depth && side < next.side) {
@@ -329,7 +330,8 @@ fn trace(ray: Ray, list: vec2u, way: ptr<function, Way>) -> bool {
                 (*way).next = Entry(FAR, NO_SIDE);
                 (*way).found = 0u;
             }
-            search(ray, way, part.y);
+            // Behind the eye a ray's line may enter the mesh, too. What it has passed at the eye is around that.
+            search(ray, way, part.y, select(rays.eye, -FAR, in_group));
             if (*way).index == part.y {
                 if (*way).found == 0u && !in_group {
                     return true;

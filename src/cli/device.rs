@@ -8,7 +8,7 @@ use indicatif::ProgressBar;
 use super::args::Device;
 use crate::cpu::{self, CpuRenderer};
 use crate::error::{Error, Result};
-use crate::gpu::{DeviceChoice, Gpu, GpuRenderer, GridRenderer, RayCaster};
+use crate::gpu::{DeviceChoice, Gpu, GpuRenderer, GridCaster, GridRenderer, RayCaster};
 use crate::oracle::Oracle;
 use crate::renderer::{Method, Renderer, Settings};
 use crate::scene::{Optics, TransferFunction};
@@ -79,11 +79,16 @@ pub(super) fn grid_renderer(grid: &Arc<Grid>, wish: &Wish<'_>, clip: Option<[f64
             return Err(Error::Asked(text.into()));
         }
     };
-    let mut renderer = GridRenderer::new(Gpu::new(choice)?, Arc::clone(grid), wish.settings)?;
-    if let Some([x0, y0, z0, x1, y1, z1]) = clip {
-        renderer = renderer.clipped_to(&Bounds { min: DVec3::new(x0, y0, z0), max: DVec3::new(x1, y1, z1) })?;
-    }
-    Ok(Chosen { renderer: Box::new(renderer), note: None })
+    let (gpu, grid) = (Gpu::new(choice)?, Arc::clone(grid));
+    let bounds = clip.map(|[x0, y0, z0, x1, y1, z1]| Bounds { min: DVec3::new(x0, y0, z0), max: DVec3::new(x1, y1, z1) });
+    let renderer: Box<dyn Renderer> = if wish.settings.method == Method::RayCast {
+        let caster = GridCaster::new(gpu, grid, wish.settings)?;
+        Box::new(if let Some(bounds) = bounds { caster.clipped_to(&bounds)? } else { caster })
+    } else {
+        let renderer = GridRenderer::new(gpu, grid, wish.settings)?;
+        Box::new(if let Some(bounds) = bounds { renderer.clipped_to(&bounds)? } else { renderer })
+    };
+    Ok(Chosen { renderer, note: None })
 }
 
 fn cast(mesh: &Arc<TetMesh>, settings: Settings) -> Result<Box<dyn Renderer>> {

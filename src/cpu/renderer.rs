@@ -105,7 +105,7 @@ impl CpuRenderer {
         self.prepare_scene(frame)?;
         let scene = self.scene.as_ref().ok_or_else(|| Error::Asked("no scene was prepared".into()))?;
         let prepared = start.elapsed();
-        let lens = Lens::new(frame.camera, frame.size, &self.mesh);
+        let lens = Lens::new(frame.camera, frame.size, &*self.mesh);
         let around = eye::sides_around(&self.cells, &lens);
         let picture = Picture {
             arch: self.arch,

@@ -1,7 +1,9 @@
 //! Projected tetrahedra of a structured grid, none of which is held (Maximo et al. 2007): voxels are drawn in the order
 //! in which they lie around the eye, a batch of bricks at a time.
 
+mod cast;
 mod draw;
+mod samples;
 mod scene;
 mod store;
 
@@ -9,9 +11,12 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use self::scene::GridScene;
+pub use self::cast::GridCaster;
+use self::samples::GridSamples;
 use self::store::GridStore;
 use crate::error::{Error, Result};
 use crate::gpu::device::Gpu;
+use crate::gpu::layout;
 use crate::gpu::light::Shading;
 use crate::gpu::renderer::{GpuRenderer, unprepared};
 use crate::gpu::sort;
@@ -88,15 +93,7 @@ impl GridRenderer {
     /// # Errors
     /// [`Error::Asked`] for a box that holds none.
     pub fn clipped_to(mut self, bounds: &Bounds) -> Result<Self> {
-        let in_mesh = Bounds { min: self.grid.mesh_from_data(bounds.min), max: self.grid.mesh_from_data(bounds.max) };
-        self.part = self.grid.voxels_in(&in_mesh);
-        if self.part.count() == 0 {
-            let all = self.grid.bounds_in_data();
-            return Err(Error::Asked(format!(
-                "the clipping box from {} to {} holds nothing of the grid, which reaches from {} to {}",
-                bounds.min, bounds.max, all.min, all.max
-            )));
-        }
+        self.part = clipped_part(&self.grid, bounds)?;
         self.scene = None;
         Ok(self)
     }
@@ -144,14 +141,14 @@ impl GridRenderer {
             frame.transfer,
             self.settings.integral,
             emission,
-            self.store.scalar,
-            self.store.gradient,
+            self.store.samples.scalar,
+            self.store.samples.gradient,
             self.grid.data_per_mesh,
         )?;
         if transfer.bivariate {
-            self.store.need_gradients(&self.gpu, &self.grid);
+            self.store.samples.need_gradients(&self.gpu, &self.grid);
         }
-        self.write_grid([0; 3], None);
+        write_grid(&self.gpu, &self.store.samples, &self.grid, &self.part, [0; 3], None);
         self.scene = Some(GridScene::new(&self.gpu, &self.store, transfer, perspective, self.settings)?);
         Ok(())
     }
@@ -191,7 +188,7 @@ impl GridRenderer {
     /// What the device holds a sample, and besides.
     fn memory_note(&self) -> String {
         let bytes = |list: &[(&str, &wgpu::Buffer)]| list.iter().map(|(_, b)| b.size()).sum::<u64>();
-        let per_voxel = bytes(&self.store.samples_held()) as f64 / self.grid.scalar.len() as f64;
+        let per_voxel = bytes(&self.store.held()) as f64 / self.grid.scalar.len() as f64;
         let working = bytes(&self.store.working()) >> 20;
         format!("{per_voxel:.2} B a voxel on the device, and {working} MiB for what is drawn at a time")
     }
@@ -214,7 +211,7 @@ impl Renderer for GridRenderer {
             passes,
             notes,
             cells: self.cell_counts(&near)?,
-            buffers: self.store.samples_held().into_iter().chain(self.store.working()).map(size).collect(),
+            buffers: self.store.held().into_iter().chain(self.store.working()).map(size).collect(),
             adapter: self.gpu.describe(),
             pipelines: format!("{kind}; outlines are drawn, of implied tetrahedra"),
             order: "structured: exact, as voxels lie around the eye".to_owned(),
@@ -230,6 +227,49 @@ impl Renderer for GridRenderer {
         self.draw_frame(frame, false)?;
         Ok(start.elapsed())
     }
+}
+
+/// The voxels that reach into a box of data space.
+fn clipped_part(grid: &Grid, bounds: &Bounds) -> Result<VoxelBox> {
+    let in_mesh = Bounds { min: grid.mesh_from_data(bounds.min), max: grid.mesh_from_data(bounds.max) };
+    let part = grid.voxels_in(&in_mesh);
+    if part.count() > 0 {
+        return Ok(part);
+    }
+    let all = grid.bounds_in_data();
+    Err(Error::Asked(format!(
+        "the clipping box from {} to {} holds nothing of the grid, which reaches from {} to {}",
+        bounds.min, bounds.max, all.min, all.max
+    )))
+}
+
+/// What all passes of a frame see of a grid, of which `part` is drawn.
+fn write_grid(
+    gpu: &Gpu,
+    samples: &GridSamples,
+    grid: &Grid,
+    part: &VoxelBox,
+    nearest: [usize; 3],
+    near: Option<&Near>,
+) {
+    let narrow = |v: [usize; 3]| v.map(|n| n as u32);
+    let sides = voxels::longest_voxel(grid);
+    let around = near.map_or(VoxelBox { low: [0; 3], high: [0; 3] }, |near| near.voxels);
+    // Edges are sides, or diagonals of faces.
+    let longest_edge = (sides.length_squared() - sides.min_element().powi(2)).sqrt();
+    let uniform = layout::Grid {
+        points: narrow(grid.points),
+        least_depth: near.map_or(0.0, |near| near.least_depth.max(-1e30) as f32),
+        nearest: narrow(nearest),
+        // A hair more: rounding must not cull.
+        longest_edge: (longest_edge * (1.0 + 1e-6)) as f32,
+        low: narrow(part.low),
+        high: narrow(part.high),
+        near_low: narrow(around.low),
+        near_high: narrow(around.high),
+        ..Default::default()
+    };
+    gpu.queue.write_buffer(&samples.grid, 0, bytemuck::bytes_of(&uniform));
 }
 
 /// What cannot be drawn.

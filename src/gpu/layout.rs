@@ -48,8 +48,8 @@ pub struct Rays {
     pub background: [f32; 4],
     pub first_row: u32,
     pub goes_on: u32,
-    pub pad_a: u32,
-    pub pad_b: u32,
+    pub eye: f32,
+    pub pad: u32,
 }
 
 /// `shared/light.wgsl`.

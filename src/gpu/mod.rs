@@ -16,6 +16,7 @@ mod raycast;
 mod rays;
 mod record;
 mod renderer;
+mod runner;
 mod scene;
 pub mod segments;
 pub mod shader;
@@ -27,6 +28,6 @@ mod transfer;
 mod widgets;
 
 pub use device::{DeviceChoice, Gpu};
-pub use grid::GridRenderer;
+pub use grid::{GridCaster, GridRenderer};
 pub use raycast::RayCaster;
 pub use renderer::GpuRenderer;

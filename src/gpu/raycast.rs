@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
 
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::gpu::device::{Gpu, Kernel, Resources};
 use crate::gpu::frame;
 use crate::gpu::layout;
@@ -14,6 +14,7 @@ use crate::gpu::lists::FragmentLists;
 use crate::gpu::rays;
 use crate::gpu::record::{Recorder, Work};
 use crate::gpu::renderer::unprepared;
+use crate::gpu::runner::{RayRunner, Timed, grow};
 use crate::gpu::target::Target;
 use crate::gpu::transfer::TransferBuffers;
 use crate::plan::entries::BoundaryView;
@@ -26,13 +27,8 @@ use crate::tet::{LinkedMesh, TetMesh};
 /// Pixels along a tile's side: a workgroup each (`raycast.wgsl`).
 const TILE: u32 = 8;
 
-/// Of a ray that has not come through (`raycast.wgsl`), bytes, and of all of them in one dispatch.
+/// Of a ray that has not come through (`raycast.wgsl`), bytes.
 const STATE_BYTES: u64 = 64;
-const MOST_STATES: u64 = 64 << 20;
-
-/// Turns of loops after which a dispatch leaves a ray. lavapipe ends the loops of 8 rays at once after 65,535 turns.
-const SOFTWARE_TURNS: u32 = 7_000;
-const HARDWARE_TURNS: u32 = 200_000;
 
 /// Kernels that are kept.
 const MOST_KERNELS: usize = 8;
@@ -47,18 +43,14 @@ pub struct RayCaster {
     linked: LinkedMesh,
     settings: Settings,
     store: LinkedBuffers,
-    rays: wgpu::Buffer,
+    runner: RayRunner,
     light: wgpu::Buffer,
     entries: wgpu::Buffer,
     tallies: wgpu::Buffer,
-    states: wgpu::Buffer,
-    unfinished: wgpu::Buffer,
-    unfinished_mapped: wgpu::Buffer,
     /// A count, and a bit a pixel: rays that pass two cells at once.
     overlapping: wgpu::Buffer,
     lists: Option<FragmentLists>,
     known_kernels: VecDeque<Arc<CastKernels>>,
-    most_turns: u32,
     scene: Option<Scene>,
     target: Option<Target>,
 }
@@ -68,12 +60,6 @@ struct Pass<'a> {
     kernel: &'a Kernel,
     /// Where it lists segments, if it does.
     lists: Option<&'a FragmentLists>,
-}
-
-/// Where the times of passes go.
-struct Timed<'a> {
-    timed: bool,
-    passes: &'a mut Vec<PassTime>,
 }
 
 /// What depends on the transfer function and what shaders are specialised to.
@@ -115,30 +101,23 @@ impl RayCaster {
         let linked = LinkedMesh::new(&mesh);
         let store = LinkedBuffers::new(&gpu, &linked, settings.layout)?;
         gpu.wait()?;
-        let rays = gpu.uniform("rays", &[layout::Rays::default()]);
         let light = gpu.uniform("light", &[layout::Light::default()]);
-        let most_turns = if gpu.is_software() { SOFTWARE_TURNS } else { HARDWARE_TURNS };
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
-        let [entries, tallies, states, unfinished, overlapping] = [(); 5].map(|()| gpu.buffer("rays", 0, usage));
-        let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
-        let unfinished_mapped = gpu.buffer("unfinished, mapped", 0, usage);
+        let [entries, tallies, overlapping] = [(); 3].map(|()| gpu.buffer("rays", 0, usage));
+        let runner = RayRunner::new(&gpu, TILE, STATE_BYTES);
         Ok(Self {
             gpu,
             mesh,
             linked,
             settings,
             store,
-            rays,
+            runner,
             light,
             entries,
             tallies,
-            states,
-            unfinished,
-            unfinished_mapped,
             overlapping,
             lists: None,
             known_kernels: VecDeque::new(),
-            most_turns,
             scene: None,
             target: None,
         })
@@ -148,7 +127,7 @@ impl RayCaster {
     /// meshes.
     #[must_use]
     pub fn leaving_rays_after(mut self, turns: u32) -> Self {
-        self.most_turns = turns;
+        self.runner.most_turns = turns;
         self
     }
 
@@ -196,7 +175,7 @@ impl RayCaster {
         // What is transparent glows, too, where emission is not weighted by extinction.
         constants.push(("CULL", flag(self.settings.cull && emission == EmissionModel::Weighted)));
         constants.push(("PERSPECTIVE", flag(perspective)));
-        constants.push(("MOST_TURNS", self.most_turns.into()));
+        constants.push(("MOST_TURNS", self.runner.most_turns.into()));
         constants.push(("HAIR", eye::HAIR.into()));
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let cells = linked.cells.len() as u32;
@@ -228,7 +207,7 @@ impl RayCaster {
     /// Draws a frame; the picture is left in the target. Times of passes where asked.
     fn draw_frame(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Vec<PassTime>> {
         light::check(frame.optics)?;
-        let lens = Lens::new(frame.camera, frame.size, &self.mesh);
+        let lens = Lens::new(frame.camera, frame.size, &*self.mesh);
         self.prepare_scene(frame, lens.perspective)?;
         if self.target.as_ref().is_none_or(|t| t.size != frame.size) {
             self.target = Some(Target::new(&self.gpu, frame.size, false)?);
@@ -247,9 +226,7 @@ impl RayCaster {
         recorder.encoder().clear_buffer(&self.overlapping, 0, None);
         recorder.submit();
         let rows = frame.size[1].div_ceil(TILE);
-        let row_bytes = u64::from(frame.size[0] * TILE) * STATE_BYTES;
-        let most = (MOST_STATES.min(self.gpu.max_binding) / row_bytes).clamp(1, rows.into()) as u32;
-        grow(&self.gpu, &mut self.states, "states", u64::from(most) * row_bytes)?;
+        self.runner.need_states(&self.gpu, frame.size)?;
         let kernels = Arc::clone(&self.scene.as_ref().ok_or_else(unprepared)?.kernels);
         self.cast(
             &Pass { kernel: &kernels.raycast, lists: None },
@@ -304,25 +281,13 @@ impl RayCaster {
         Ok(())
     }
 
-    /// Runs a pass over rows of tiles, slab by slab, until all rays have come through.
-    fn cast(
-        &self,
-        pass: &Pass<'_>,
-        uniform: &mut layout::Rays,
-        [start, end]: [u32; 2],
-        to: &mut Timed<'_>,
-    ) -> Result<()> {
-        let columns = uniform.size[0].div_ceil(TILE);
-        let row_bytes = u64::from(uniform.size[0] * TILE) * STATE_BYTES;
-        let most = (self.states.size() / row_bytes).max(1) as u32;
-        for first in (start..end).step_by(most as usize) {
-            (uniform.first_row, uniform.goes_on) = (first, 0);
-            // Each dispatch takes every ray that is left on by one turn at least.
-            while self.cast_slab(pass, uniform, [columns, most.min(end - first)], to)? > 0 {
-                uniform.goes_on = 1;
-            }
-        }
-        Ok(())
+    /// Runs a pass over rows of tiles.
+    fn cast(&self, pass: &Pass<'_>, uniform: &mut layout::Rays, rows: [u32; 2], to: &mut Timed<'_>) -> Result<()> {
+        let scene = self.scene.as_ref().ok_or_else(unprepared)?;
+        let target = self.target.as_ref().ok_or_else(unprepared)?;
+        let resources = self.resources(scene).with_texture("picture", &target.picture);
+        let resources = pass.lists.iter().fold(resources, |resources, lists| lists.offer(resources));
+        self.runner.run(&self.gpu, pass.kernel, &resources, uniform, rows, to)
     }
 
     /// Sorts the boundary into the picture's tiles. How many groups of linked cells hold the eye.
@@ -350,34 +315,14 @@ impl RayCaster {
         Ok(groups.len() as u32)
     }
 
-    /// One dispatch over a slab of tiles. How many of its rays have not come through.
-    fn cast_slab(&self, pass: &Pass<'_>, uniform: &layout::Rays, tiles: [u32; 2], to: &mut Timed<'_>) -> Result<u32> {
-        let scene = self.scene.as_ref().ok_or_else(unprepared)?;
-        let target = self.target.as_ref().ok_or_else(unprepared)?;
-        self.gpu.queue.write_buffer(&self.rays, 0, bytemuck::bytes_of(uniform));
-        let resources = self.resources(scene).with_texture("picture", &target.picture);
-        let resources = pass.lists.iter().fold(resources, |resources, lists| lists.offer(resources));
-        let resources = resources.with("unfinished", &self.unfinished);
-        let groups = pass.kernel.bind(&self.gpu, &resources)?;
-        let mut recorder = Recorder::new(&self.gpu, to.timed);
-        recorder.encoder().clear_buffer(&self.unfinished, 0, None);
-        recorder.compute(pass.kernel, &groups, Work::Tiles(tiles))?;
-        recorder.encoder().copy_buffer_to_buffer(&self.unfinished, 0, &self.unfinished_mapped, 0, 4);
-        to.passes.extend(recorder.finish()?);
-        let unfinished: Vec<u32> = self.gpu.map(&self.unfinished_mapped, 4)?;
-        unfinished.first().copied().ok_or_else(unprepared)
-    }
-
     fn resources<'a>(&'a self, scene: &'a Scene) -> Resources<'a> {
         scene
             .transfer
             .offer(self.store.resources())
             .with("overlapping", &self.overlapping)
-            .with("rays", &self.rays)
             .with("light", &self.light)
             .with("entries", &self.entries)
             .with("tallies", &self.tallies)
-            .with("states", &self.states)
             .with("occupied", &scene.occupied)
     }
 
@@ -396,7 +341,7 @@ impl RayCaster {
             ("occupied", &scene.occupied),
             ("entries", &self.entries),
             ("tallies", &self.tallies),
-            ("states", &self.states),
+            ("states", self.runner.states()),
         ];
         let kind = scene.transfer.describe(self.settings.integral, None);
         let layout = if self.store.layout == CellLayout::Fast { "fast" } else { "compact" };
@@ -427,22 +372,6 @@ impl Renderer for RayCaster {
         self.draw_frame(frame, false)?;
         Ok(start.elapsed())
     }
-}
-
-/// Makes a buffer anew where it is too small.
-fn grow(gpu: &Gpu, buffer: &mut wgpu::Buffer, label: &str, bytes: u64) -> Result<()> {
-    if bytes > gpu.max_binding {
-        return Err(Error::Device(format!(
-            "'{label}' of a picture takes {} MiB, and '{}' binds {} MiB: render a smaller picture, or with --device cpu",
-            bytes >> 20,
-            gpu.info.name,
-            gpu.max_binding >> 20
-        )));
-    }
-    if buffer.size() < bytes {
-        *buffer = gpu.buffer(label, (bytes + bytes / 4).min(gpu.max_binding), buffer.usage());
-    }
-    Ok(())
 }
 
 #[cfg(test)]

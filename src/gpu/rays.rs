@@ -5,6 +5,9 @@ use glam::{DVec2, DVec3};
 use crate::gpu::layout;
 use crate::plan::lens::Lens;
 
+/// Beyond any mesh.
+const FAR: f32 = 1e30;
+
 /// What `shared/ray.wgsl` reads. `groups`: of linked cells around the eye, how many.
 ///
 /// Everything is counted from the mesh's centre and the ray that passes nearest to it, in f64: neither a far eye nor a
@@ -38,6 +41,7 @@ pub fn uniform(
         pixel: pixel.as_ivec2().to_array(),
         size,
         background,
+        eye: if lens.perspective { -center.z as f32 } else { -FAR },
         ..Default::default()
     }
 }

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::scene::{Basis, Camera, Projection};
-use crate::tet::TetMesh;
+use crate::tet::Domain;
 
 /// A camera in mesh space. In its view axes (x right, y up, z forward, from the eye) the ray of film position `f` goes
 /// through `(f.x, f.y, 1)`, from the eye for perspective and along z otherwise.
@@ -25,14 +25,14 @@ pub struct Lens {
 
 impl Lens {
     /// For a picture of `size` pixels.
-    pub fn new(camera: &Camera, size: [u32; 2], mesh: &TetMesh) -> Self {
+    pub fn new(camera: &Camera, size: [u32; 2], mesh: &dyn Domain) -> Self {
         let [width, height] = size.map(f64::from);
         let (perspective, half) = match camera.projection {
             Projection::Perspective { fov_y } => (true, (0.5 * fov_y).tan()),
-            Projection::Orthographic { height } => (false, 0.5 * height / mesh.data_per_mesh),
+            Projection::Orthographic { height } => (false, 0.5 * height / mesh.data_per_mesh()),
         };
         let step = 2.0 * half / height;
-        let near = camera.near_depth(mesh.bounds_in_data().diagonal()) / mesh.data_per_mesh;
+        let near = camera.near_depth(mesh.bounds_in_data().diagonal()) / mesh.data_per_mesh();
         Self {
             eye: mesh.mesh_from_data(camera.eye),
             basis: camera.basis(),

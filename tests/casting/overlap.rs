@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use tetralux::oracle::Oracle;
-use tetralux::renderer::{Frame, Settings};
+use tetralux::renderer::{Frame, Renderer, Settings};
 use tetralux::scene::{Camera, Curve, CurveNode, Optics, Projection, TransferFunction};
 use tetralux::tet::TetMesh;
 
@@ -65,18 +65,26 @@ fn agrees(name: &str, mesh: TetMesh, within: DVec3) {
             ),
             ("within both", camera(within, Projection::Perspective { fov_y: 1.4 })),
         ] {
-            let what = format!("{name}, {function}, {place}");
-            let (camera, optics) = (&camera, &Optics::PLAIN);
-            let frame = Frame { camera, transfer, optics, size: SIZE, background: [0.2, 0.1, 0.3, 1.0] };
-            let got = renderer.render(&frame, false).expect("a picture").image;
-            let want = oracle.image(&frame).expect("a picture");
-            let explainer = Explainer { mesh: &mesh, frame, view: oracle.view(&frame).expect("a view"), shift: 1e-3 };
-            let verdict = Verdict::new(&got, &want, LIMITS, |pixel, error| explainer.cause(pixel, error));
-            println!("{what}: {verdict}");
-            verdict.assert_good(&what);
-            assert_limits_bite(&want, LIMITS);
+            assert_seen(&format!("{name}, {function}, {place}"), &mesh, &oracle, &mut *renderer, (&camera, transfer));
         }
     }
+}
+
+fn assert_seen(
+    what: &str,
+    mesh: &TetMesh,
+    oracle: &Oracle,
+    renderer: &mut dyn Renderer,
+    (camera, transfer): (&Camera, &TransferFunction),
+) {
+    let frame = Frame { camera, transfer, optics: &Optics::PLAIN, size: SIZE, background: [0.2, 0.1, 0.3, 1.0] };
+    let got = renderer.render(&frame, false).expect("a picture").image;
+    let want = oracle.image(&frame).expect("a picture");
+    let explainer = Explainer { mesh, frame, view: oracle.view(&frame).expect("a view"), shift: 1e-3 };
+    let verdict = Verdict::new(&got, &want, LIMITS, |pixel, error| explainer.cause(pixel, error));
+    println!("{what}: {verdict}");
+    verdict.assert_good(what);
+    assert_limits_bite(&want, LIMITS);
 }
 
 #[test]
@@ -87,4 +95,19 @@ fn boxes_in_each_other_are_seen_by_depth() {
 #[test]
 fn a_fold_is_seen_by_depth() {
     agrees("fold", fold(), DVec3::new(0.25, 0.22, 0.25));
+}
+
+/// Above a thin layer, whose floor reaches from before the eye to behind it: lines of rays enter the mesh behind the eye.
+#[test]
+fn what_begins_behind_the_eye_is_passed_once() {
+    let cube = box_mesh(2, DVec3::ZERO, DVec3::ONE, |_| [0.0, 0.0]);
+    let flat = |p: DVec3| DVec3::new(p.x, p.y, if p.z > 0.75 { 1.0 } else { 0.04 * p.z });
+    let places: Vec<DVec3> = cube.vertices.iter().map(|&v| flat(cube.data_from_mesh(v))).collect();
+    let mesh = Arc::new(tet_mesh(&places, cube.tets.to_vec(), |p| [p.x + 0.7 * p.y + 0.3 * p.z, 0.0]));
+    let eye = DVec3::new(0.3, 0.3, 0.05);
+    let projection = Projection::Perspective { fov_y: 1.0 };
+    let camera = Camera { eye, target: eye + DVec3::X, up: DVec3::new(0.0, 1.0, 1.0), projection, near: None };
+    let mut renderer = engine(&mesh, Settings::default());
+    let oracle = Oracle::new(mesh.clone());
+    assert_seen("above a layer", &mesh, &oracle, &mut *renderer, (&camera, &rainbow(&mesh, 20, 3.0)));
 }

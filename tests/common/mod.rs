@@ -11,6 +11,7 @@ pub mod npy;
 pub mod peer_scene;
 pub mod rainbow;
 pub mod random;
+pub mod views;
 
 use std::path::PathBuf;
 

@@ -6,7 +6,7 @@ use tetralux::scene::{Camera, Projection, TransferFunction};
 use tetralux::tet::{Domain as _, Grid};
 
 use crate::grids::{
-    PERSPECTIVE, STRUCTURED, assert_agree, bivariate, both, camera, draw, explicit, lattice, octants, renderer,
+    PERSPECTIVE, STRUCTURED, assert_agree, bivariate, both, camera, caster, draw, explicit, explicit_rays, lattice, octants, renderer,
     univariate, waves,
 };
 
@@ -42,10 +42,14 @@ fn agrees(what: &str, voxels: [usize; 3], spacing: DVec3, cameras: impl Fn(&Grid
     let (grid, mesh) = both(&lattice(voxels, DVec3::new(0.4, -1.0, 0.2), spacing, waves));
     let functions: [(&str, TransferFunction); 2] = [("1D", univariate(&grid)), ("2D", bivariate(&grid))];
     let (mut implied, mut held) = (renderer(&grid, STRUCTURED), explicit(&mesh));
+    let (mut rays, mut held_rays) = (caster(&grid, STRUCTURED), explicit_rays(&mesh));
     for (name, transfer) in &functions {
         for (i, camera) in cameras(&grid).iter().enumerate() {
+            let what = format!("{what}, {name}, camera {i}");
             let (got, want) = (draw(&mut implied, camera, transfer, SIZE), draw(&mut held, camera, transfer, SIZE));
-            assert_agree(&got.image, &want.image, &format!("{what}, {name}, camera {i}"));
+            assert_agree(&got.image, &want.image, &what);
+            let (got, want) = (draw(&mut rays, camera, transfer, SIZE), draw(&mut held_rays, camera, transfer, SIZE));
+            assert_agree(&got.image, &want.image, &format!("{what}, rays"));
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use tetralux::gpu::GridRenderer;
+use tetralux::gpu::{GridCaster, GridRenderer, RayCaster};
 use tetralux::image::{Comparison, Image};
 use tetralux::mesh::{ArrayInfo, Association, DataArray, Mesh, Topology};
 use tetralux::renderer::{Frame, OrderMethod, Rendered, Renderer, Settings};
@@ -63,8 +63,16 @@ pub fn renderer(grid: &Arc<Grid>, settings: Settings) -> GridRenderer {
     GridRenderer::new(gpu::device(), grid.clone(), settings).unwrap_or_else(|e| panic!("{e}"))
 }
 
+pub fn caster(grid: &Arc<Grid>, settings: Settings) -> GridCaster {
+    GridCaster::new(gpu::device(), grid.clone(), settings).unwrap_or_else(|e| panic!("{e}"))
+}
+
 pub fn explicit(mesh: &Arc<TetMesh>) -> impl Renderer + use<> {
     gpu::renderer(mesh, DEFAULT)
+}
+
+pub fn explicit_rays(mesh: &Arc<TetMesh>) -> impl Renderer + use<> {
+    RayCaster::new(gpu::device(), mesh.clone(), DEFAULT).unwrap_or_else(|e| panic!("{e}"))
 }
 
 pub fn draw(renderer: &mut impl Renderer, camera: &Camera, transfer: &TransferFunction, size: [u32; 2]) -> Rendered {

@@ -13,25 +13,12 @@ use tetralux::tet::TetMesh;
 use crate::common::agreement::{Cause, Explainer, Limits, Verdict, assert_limits_bite};
 use crate::common::boxes::tet_mesh;
 use crate::common::random::Random;
+pub use crate::common::views::three as cameras;
 use crate::common::{delaunay, gpu, meshes};
 
 pub const SIZE: [u32; 2] = [160, 128];
 /// Of an exact order; larger errors have to be explained.
 pub const EXACT: Limits = Limits { psnr: 80.0, percentile_99_9: 1e-3, explained_above: 2e-3 };
-
-/// Outside in perspective and parallel; inside, where the near plane cuts cells.
-pub fn cameras(mesh: &TetMesh) -> [Camera; 3] {
-    let (target, diagonal) = meshes::center_and_diagonal(mesh);
-    let camera = |away: DVec3, projection| {
-        let eye = target + diagonal * away;
-        Camera { eye, target, up: DVec3::Y, projection, near: None }
-    };
-    [
-        camera(DVec3::new(0.7, 0.45, 0.85), Projection::Perspective { fov_y: 0.8 }),
-        camera(DVec3::new(-0.5, 0.9, 0.3), Projection::Orthographic { height: 0.8 * diagonal }),
-        camera(DVec3::new(0.03, -0.02, 0.05), Projection::Perspective { fov_y: 1.2 }),
-    ]
-}
 
 fn field(p: DVec3) -> [f64; 2] {
     [p.x + 0.6 * (5.0 * p.y).sin() + 0.5 * p.z * p.z, 0.0]
@@ -126,15 +113,19 @@ impl<'a> Truth<'a> {
     }
 
     pub fn verdict(&self, got: &Image, limits: Limits) -> Verdict {
-        Verdict::new(got, &self.image, limits, |pixel, error| match self.explainer.cause(pixel, error) {
-            Cause::Unknown if self.opacity_errs(got, pixel, error) => Cause::Opacity,
-            cause => cause,
-        })
+        self.verdict_against(got, &self.image, limits)
     }
 
-    fn opacity_errs(&self, got: &Image, [x, y]: [u32; 2], error: f64) -> bool {
-        let opacity = |image: &Image| f64::from(image.pixels[(y * image.width + x) as usize][3]);
-        (opacity(got) - opacity(&self.image)).abs() >= 0.9 * error
+    /// As [`verdict`](Self::verdict), of another picture of the scene in the truth's place.
+    pub fn verdict_against(&self, got: &Image, want: &Image, limits: Limits) -> Verdict {
+        let opacity_errs = |[x, y]: [u32; 2], error| {
+            let opacity = |image: &Image| f64::from(image.pixels[(y * image.width + x) as usize][3]);
+            (opacity(got) - opacity(want)).abs() >= 0.9 * error
+        };
+        Verdict::new(got, want, limits, |pixel, error| match self.explainer.cause(pixel, error) {
+            Cause::Unknown if opacity_errs(pixel, error) => Cause::Opacity,
+            cause => cause,
+        })
     }
 
     /// Draws, compares and fails where the picture is not good.

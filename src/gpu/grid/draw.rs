@@ -2,7 +2,7 @@
 
 use super::scene::{ShownBrick, packed};
 use super::store::LIST_STEP;
-use super::{GridRenderer, LastBatch, check};
+use super::{GridRenderer, LastBatch, check, write_grid};
 use crate::error::Result;
 use crate::gpu::cover::Cover;
 use crate::gpu::device::Resources;
@@ -41,7 +41,7 @@ impl GridRenderer {
         let near = voxels::near(&self.grid, &self.part, frame.camera, aspect)?;
         let has_near = self.draw_near(frame, &near)?;
         let nearest = voxels::nearest(&self.grid, frame.camera);
-        self.write_grid(nearest, Some(&near));
+        write_grid(&self.gpu, &self.store.samples, &self.grid, &self.part, nearest, Some(&near));
         let has_viewport = frame.size.iter().all(|&n| n <= self.gpu.device.limits().max_texture_dimension_2d / 2);
         let clipped = !has_viewport || has_near || !frame::lies_within(frame, &*self.grid, GUARD, LONGEST_HAIR);
         self.scene.as_mut().ok_or_else(unprepared)?.need_raster(&self.gpu, clipped)?;
@@ -59,34 +59,12 @@ impl GridRenderer {
         Ok((grouped(recorder.finish()?), near.voxels))
     }
 
-    /// What all passes of a frame see of the grid.
-    pub(super) fn write_grid(&self, nearest: [usize; 3], near: Option<&Near>) {
-        let narrow = |v: [usize; 3]| v.map(|n| n as u32);
-        let sides = voxels::longest_voxel(&self.grid);
-        let around = near.map_or(VoxelBox { low: [0; 3], high: [0; 3] }, |near| near.voxels);
-        // Edges are sides, or diagonals of faces.
-        let longest_edge = (sides.length_squared() - sides.min_element().powi(2)).sqrt();
-        let uniform = layout::Grid {
-            points: narrow(self.grid.points),
-            least_depth: near.map_or(0.0, |near| near.least_depth.max(-1e30) as f32),
-            nearest: narrow(nearest),
-            // A hair more: rounding must not cull.
-            longest_edge: (longest_edge * (1.0 + 1e-6)) as f32,
-            low: narrow(self.part.low),
-            high: narrow(self.part.high),
-            near_low: narrow(around.low),
-            near_high: narrow(around.high),
-            ..Default::default()
-        };
-        self.gpu.queue.write_buffer(&self.store.grid, 0, bytemuck::bytes_of(&uniform));
-    }
-
     /// The list of the bricks in the picture, back to front, and how it is cut.
     fn batches(&self, camera: &Camera, aspect: f64, nearest: [usize; 3], near: &Near) -> (Vec<u32>, Vec<Batch>) {
         let shown = self.scene.as_ref().map_or(&[][..], |scene| &scene.shown);
         let sides = Sides::new(&self.grid, camera, aspect, near.least_depth);
         let turn = |at: [usize; 3]| -> [usize; 3] {
-            let of = |axis: usize| voxels::turn(nearest[axis] / BRICK, self.store.bricks_along[axis], at[axis]);
+            let of = |axis: usize| voxels::turn(nearest[axis] / BRICK, self.store.samples.bricks_along[axis], at[axis]);
             [of(2), of(1), of(0)]
         };
         let mut seen: Vec<([usize; 3], &ShownBrick)> =

@@ -172,7 +172,7 @@ fn count_bricks(
     transfer: &TransferBuffers,
     constants: &[(&'static str, f64)],
 ) -> Result<Vec<([usize; 3], BrickCount)>> {
-    let [nx, ny, nz] = store.bricks_along;
+    let [nx, ny, nz] = store.samples.bricks_along;
     let bricks = nx * ny * nz;
     let copied = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
     let shown = gpu.buffer("shown", bricks as u64 * 4, copied);

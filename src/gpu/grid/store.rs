@@ -1,14 +1,15 @@
-//! What the device holds of a grid, and of the part of it that is drawn at a time.
+//! What the device holds of the part of a grid that is drawn at a time.
 
 use rayon::prelude::*;
 
-use crate::error::{Error, Result};
+use super::samples::GridSamples;
+use crate::error::Result;
 use crate::gpu::cover::Cover;
 use crate::gpu::device::{Gpu, Resources};
 use crate::gpu::layout;
 use crate::gpu::store::{DEEP_SPAN, triangle_indices};
 use crate::plan::voxels::BRICK;
-use crate::tet::{Axis, Domain as _, Grid};
+use crate::tet::{Domain as _, Grid};
 
 /// Voxels of a brick.
 const BRICK_VOXELS: u64 = (BRICK * BRICK * BRICK) as u64;
@@ -27,26 +28,16 @@ pub const LIST_STEP: usize = 64;
 
 /// Buffers of a grid.
 pub struct GridStore {
-    /// How scalars became 0..1.
-    pub scalar: Axis,
-    /// How gradient magnitudes became 0..1.
-    pub gradient: Axis,
-    /// Bricks along each axis.
-    pub bricks_along: [usize; 3],
+    /// The grid itself.
+    pub samples: GridSamples,
     /// Bricks of a batch, at most.
     pub batch_bricks: usize,
     /// Cells or spans of a batch, at most.
     pub batch_listed: u32,
     /// Cells projected at a time.
     pub chunk_cells: u32,
-    /// [`layout::Grid`].
-    pub grid: wgpu::Buffer,
     // Bound by the raster pass, which shades nothing.
     light: wgpu::Buffer,
-    samples: wgpu::Buffer,
-    // 16 bytes until a scene needs them.
-    gradients: wgpu::Buffer,
-    places: wgpu::Buffer,
     brick_ranges: wgpu::Buffer,
     voxels: wgpu::Buffer,
     block_counts: wgpu::Buffer,
@@ -72,19 +63,8 @@ impl GridStore {
     /// # Errors
     /// A grid beyond the device's limits, with the numbers.
     pub fn new(gpu: &Gpu, grid: &Grid) -> Result<Self> {
-        let bricks_along = grid.voxels().map(|n| n.div_ceil(BRICK));
-        let count = grid.scalar.len() as u64;
-        if count * 4 > gpu.max_binding || bricks_along.iter().any(|&n| n > 1023) {
-            let [x, y, z] = grid.points;
-            return Err(Error::Device(format!(
-                "a grid of {x} x {y} x {z} samples is {} MiB; '{}' binds {} MiB at once, and 8,184 voxels are drawn \
-                 along an axis at most: coarsen the grid, or cut it",
-                (count * 4) >> 20,
-                gpu.info.name,
-                gpu.max_binding >> 20
-            )));
-        }
-        let (scalar, gradient) = (Axis::of(grid.scalar_range()), Axis::of(grid.gradient_range()));
+        let samples = GridSamples::new(gpu, grid)?;
+        let bricks_along = samples.bricks_along;
         let bricks: usize = bricks_along.iter().product();
         let batch_bricks = bricks.min(MOST_BRICKS);
         let least = 5 * BRICK_VOXELS * u64::from(DEEP_SPAN);
@@ -103,20 +83,13 @@ impl GridStore {
         let buffer = |label, bytes, usage| gpu.buffer(label, bytes, wgpu::BufferUsages::STORAGE | usage);
         let none = wgpu::BufferUsages::empty();
         let blocks = batch_bricks as u64 * BRICK_VOXELS / 256;
-        let places: Vec<f32> = grid.places.iter().flatten().map(|&p| p as f32).collect();
         Ok(Self {
-            scalar,
-            gradient,
-            bricks_along,
             batch_bricks,
             batch_listed,
             chunk_cells,
-            grid: gpu.uniform("grid", &[layout::Grid::default()]),
             light: gpu.uniform("light", &[layout::Light::default()]),
-            samples: gpu.storage("samples", &narrowed(&grid.scalar, scalar)),
-            gradients: gpu.storage("gradients", &[0.0f32; 4]),
-            places: gpu.storage("places", &places),
-            brick_ranges: gpu.storage("brick_ranges", &brick_ranges(grid, bricks_along, scalar, gradient)),
+            brick_ranges: gpu.storage("brick_ranges", &brick_ranges(grid, &samples)),
+            samples,
             voxels: buffer("voxels", blocks * 1024, none),
             block_counts: buffer("block_counts", blocks * 4, none),
             block_offsets: buffer("block_offsets", blocks * 4, none),
@@ -131,13 +104,6 @@ impl GridStore {
         })
     }
 
-    /// Uploads gradient magnitudes, if no scene needed them before.
-    pub fn need_gradients(&mut self, gpu: &Gpu, grid: &Grid) {
-        if self.gradients.size() < grid.scalar.len() as u64 * 4 {
-            self.gradients = gpu.storage("gradients", &narrowed(&grid.gradient_magnitude, self.gradient));
-        }
-    }
-
     /// The tetrahedra of a batch, or spans of them, back to front.
     pub fn order(&self) -> &wgpu::Buffer {
         &self.order
@@ -145,20 +111,13 @@ impl GridStore {
 
     /// Buffers by the names that shaders give them.
     pub fn resources(&self) -> Resources<'_> {
-        let list = self.samples_held().into_iter().chain(self.working());
-        list.fold(Resources::default().with("grid", &self.grid).with("light", &self.light), |r, (name, buffer)| {
-            r.with(name, buffer)
-        })
+        let own = self.working().into_iter().chain([("light", &self.light), ("brick_ranges", &self.brick_ranges)]);
+        own.fold(self.samples.resources(), |r, (name, buffer)| r.with(name, buffer))
     }
 
     /// What grows with the grid.
-    pub fn samples_held(&self) -> [(&'static str, &wgpu::Buffer); 4] {
-        [
-            ("samples", &self.samples),
-            ("gradients", &self.gradients),
-            ("places", &self.places),
-            ("brick_ranges", &self.brick_ranges),
-        ]
+    pub fn held(&self) -> Vec<(&'static str, &wgpu::Buffer)> {
+        self.samples.held().into_iter().chain([("brick_ranges", &self.brick_ranges)]).collect()
     }
 
     /// What is drawn at a time.
@@ -177,12 +136,9 @@ impl GridStore {
     }
 }
 
-fn narrowed(values: &[f64], axis: Axis) -> Vec<f32> {
-    values.par_iter().map(|&v| axis.apply(v) as f32).collect()
-}
-
 /// Least and largest scalar and gradient magnitude of the samples of each brick, x fastest.
-fn brick_ranges(grid: &Grid, bricks: [usize; 3], scalar: Axis, gradient: Axis) -> Vec<[f32; 4]> {
+fn brick_ranges(grid: &Grid, on_device: &GridSamples) -> Vec<[f32; 4]> {
+    let (bricks, scalar, gradient) = (on_device.bricks_along, on_device.scalar, on_device.gradient);
     let [nx, ny, _] = grid.points;
     let range_of = |brick: usize| {
         let at = [brick % bricks[0], brick / bricks[0] % bricks[1], brick / bricks[0] / bricks[1]];

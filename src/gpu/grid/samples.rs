@@ -1,0 +1,82 @@
+//! What the device holds of a grid.
+
+use rayon::prelude::*;
+
+use crate::error::{Error, Result};
+use crate::gpu::device::{Gpu, Resources};
+use crate::gpu::layout;
+use crate::plan::voxels::BRICK;
+use crate::tet::{Axis, Domain as _, Grid};
+
+/// Bricks along an axis, at most: their places share a word (`shared/grid.wgsl`).
+const MOST_ALONG: usize = 1023;
+
+/// A grid's samples.
+pub struct GridSamples {
+    /// How scalars became 0..1.
+    pub scalar: Axis,
+    /// How gradient magnitudes became 0..1.
+    pub gradient: Axis,
+    /// Bricks along each axis.
+    pub bricks_along: [usize; 3],
+    /// [`layout::Grid`].
+    pub grid: wgpu::Buffer,
+    samples: wgpu::Buffer,
+    // 16 bytes until a scene needs them.
+    gradients: wgpu::Buffer,
+    places: wgpu::Buffer,
+}
+
+impl GridSamples {
+    /// Uploads all but gradient magnitudes.
+    ///
+    /// # Errors
+    /// A grid beyond the device's limits, with the numbers.
+    pub fn new(gpu: &Gpu, grid: &Grid) -> Result<Self> {
+        let bricks_along = grid.voxels().map(|n| n.div_ceil(BRICK));
+        let count = grid.scalar.len() as u64;
+        if count * 4 > gpu.max_binding || bricks_along.iter().any(|&n| n > MOST_ALONG) {
+            let [x, y, z] = grid.points;
+            return Err(Error::Device(format!(
+                "a grid of {x} x {y} x {z} samples is {} MiB; '{}' binds {} MiB at once, and {} voxels are drawn along \
+                 an axis at most: coarsen the grid, or cut it",
+                (count * 4) >> 20,
+                gpu.info.name,
+                gpu.max_binding >> 20,
+                MOST_ALONG * BRICK
+            )));
+        }
+        let scalar = Axis::of(grid.scalar_range());
+        let places: Vec<f32> = grid.places.iter().flatten().map(|&p| p as f32).collect();
+        Ok(Self {
+            scalar,
+            gradient: Axis::of(grid.gradient_range()),
+            bricks_along,
+            grid: gpu.uniform("grid", &[layout::Grid::default()]),
+            samples: gpu.storage("samples", &narrowed(&grid.scalar, scalar)),
+            gradients: gpu.storage("gradients", &[0.0f32; 4]),
+            places: gpu.storage("places", &places),
+        })
+    }
+
+    /// Uploads gradient magnitudes, if no scene needed them before.
+    pub fn need_gradients(&mut self, gpu: &Gpu, grid: &Grid) {
+        if self.gradients.size() < grid.scalar.len() as u64 * 4 {
+            self.gradients = gpu.storage("gradients", &narrowed(&grid.gradient_magnitude, self.gradient));
+        }
+    }
+
+    /// Buffers by the names that shaders give them.
+    pub fn resources(&self) -> Resources<'_> {
+        self.held().into_iter().fold(Resources::default().with("grid", &self.grid), |r, (name, b)| r.with(name, b))
+    }
+
+    /// What grows with the grid.
+    pub fn held(&self) -> [(&'static str, &wgpu::Buffer); 3] {
+        [("samples", &self.samples), ("gradients", &self.gradients), ("places", &self.places)]
+    }
+}
+
+fn narrowed(values: &[f64], axis: Axis) -> Vec<f32> {
+    values.par_iter().map(|&v| axis.apply(v) as f32).collect()
+}
