@@ -80,7 +80,8 @@ pub(super) fn grid_renderer(grid: &Arc<Grid>, wish: &Wish<'_>, clip: Option<[f64
         }
     };
     let (gpu, grid) = (Gpu::new(choice)?, Arc::clone(grid));
-    let bounds = clip.map(|[x0, y0, z0, x1, y1, z1]| Bounds { min: DVec3::new(x0, y0, z0), max: DVec3::new(x1, y1, z1) });
+    let bounds =
+        clip.map(|[x0, y0, z0, x1, y1, z1]| Bounds { min: DVec3::new(x0, y0, z0), max: DVec3::new(x1, y1, z1) });
     let renderer: Box<dyn Renderer> = if wish.settings.method == Method::RayCast {
         let caster = GridCaster::new(gpu, grid, wish.settings)?;
         Box::new(if let Some(bounds) = bounds { caster.clipped_to(&bounds)? } else { caster })

@@ -10,9 +10,9 @@ mod store;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use self::scene::GridScene;
 pub use self::cast::GridCaster;
 use self::samples::GridSamples;
+use self::scene::GridScene;
 use self::store::GridStore;
 use crate::error::{Error, Result};
 use crate::gpu::device::Gpu;

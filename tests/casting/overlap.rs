@@ -104,7 +104,7 @@ fn what_begins_behind_the_eye_is_passed_once() {
     let flat = |p: DVec3| DVec3::new(p.x, p.y, if p.z > 0.75 { 1.0 } else { 0.04 * p.z });
     let places: Vec<DVec3> = cube.vertices.iter().map(|&v| flat(cube.data_from_mesh(v))).collect();
     let mesh = Arc::new(tet_mesh(&places, cube.tets.to_vec(), |p| [p.x + 0.7 * p.y + 0.3 * p.z, 0.0]));
-    let eye = DVec3::new(0.3, 0.3, 0.05);
+    let eye = DVec3::new(0.3, 0.1, 0.05);
     let projection = Projection::Perspective { fov_y: 1.0 };
     let camera = Camera { eye, target: eye + DVec3::X, up: DVec3::new(0.0, 1.0, 1.0), projection, near: None };
     let mut renderer = engine(&mesh, Settings::default());

@@ -72,13 +72,18 @@ impl Verdict {
                 c.percentile_99_9 <= l.percentile_99_9,
                 format!("99.9th percentile {:.3e}, above {:.1e}", c.percentile_99_9, l.percentile_99_9),
             ),
-            (unknown == 0, format!("{unknown} pixels above {above:.1e} have no cause: {:?}", self.large)),
+            (unknown == 0, format!("{unknown} pixels above {above:.1e} have no cause: {:?} ...", self.first_unknown())),
         ] {
             if !good {
                 failures.push(text);
             }
         }
         failures
+    }
+
+    fn first_unknown(&self) -> Vec<([u32; 2], f64)> {
+        let unknown = self.large.iter().filter(|(_, _, cause)| *cause == Cause::Unknown);
+        unknown.map(|&(pixel, error, _)| (pixel, error)).take(5).collect()
     }
 
     /// Fails with all that is known of the comparison.

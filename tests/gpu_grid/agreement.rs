@@ -6,8 +6,8 @@ use tetralux::scene::{Camera, Projection, TransferFunction};
 use tetralux::tet::{Domain as _, Grid};
 
 use crate::grids::{
-    PERSPECTIVE, STRUCTURED, assert_agree, bivariate, both, camera, caster, draw, explicit, explicit_rays, lattice, octants, renderer,
-    univariate, waves,
+    PERSPECTIVE, STRUCTURED, assert_agree, bivariate, both, camera, caster, draw, explicit, explicit_rays, lattice,
+    octants, renderer, univariate, waves,
 };
 
 const SIZE: [u32; 2] = [56, 48];
