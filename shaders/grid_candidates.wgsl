@@ -9,7 +9,7 @@ struct BrickCount {
     bands: u32,
     // Pairs of them, the last one of a cell perhaps alone.
     pairs: u32,
-    // Bands in one cell, and 65,536 where one is deep.
+    // Bands in one cell, and 65,536 more where one is deep: these may be two cells.
     most: u32,
 }
 
@@ -26,6 +26,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     }
     workgroupBarrier();
     var count = BrickCount();
+    var is_deep = false;
     for (var rank = lane; rank < 512u && brick * 256u < frame.tet_count; rank += 256u) {
         let voxel = voxel_of(bricks[brick], rank);
         if !is_in(voxel, grid.low, grid.high) || !may_show(voxel) {
@@ -42,17 +43,17 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
                 let bands = band_count(tet_bands(voxel, corners, depth));
                 count.bands += bands;
                 count.pairs += (bands + 1u) >> 1u;
-                count.most = max(count.most, bands + select(0u, 65536u, depth > THIN));
+                count.most = max(count.most, bands);
+                is_deep = is_deep || depth > THIN;
             }
         }
     }
     atomicAdd(&sums[0], count.cells);
     atomicAdd(&sums[1], count.bands);
     atomicAdd(&sums[2], count.pairs);
-    // Of a deep cell that has few bands, and one that has many, both count.
-    atomicMax(&sums[3], count.most & 65535u);
+    atomicMax(&sums[3], count.most);
     workgroupBarrier();
-    if count.most > 65535u {
+    if is_deep {
         atomicOr(&sums[3], 65536u);
     }
     workgroupBarrier();

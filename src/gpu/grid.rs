@@ -18,13 +18,13 @@ use crate::error::{Error, Result};
 use crate::gpu::device::Gpu;
 use crate::gpu::layout;
 use crate::gpu::light::Shading;
-use crate::gpu::renderer::{GpuRenderer, unprepared};
+use crate::gpu::renderer::unprepared;
 use crate::gpu::sort;
 use crate::gpu::store::{DEEP_SPAN, SPAN_BITS};
 use crate::gpu::target::Target;
 use crate::gpu::transfer::TransferBuffers;
 use crate::plan::voxels::{self, BRICK, Near};
-use crate::renderer::{BlendFormat, BufferSize, Frame, Method, OrderMethod, Rendered, Renderer, Settings, Stats};
+use crate::renderer::{BlendFormat, BufferSize, Frame, Method, PassTime, Rendered, Renderer, Settings, Stats};
 use crate::scene::{Optics, Projection};
 use crate::space::Bounds;
 use crate::tet::{Domain as _, Grid, VoxelBox};
@@ -41,8 +41,8 @@ pub struct GridRenderer {
     target: Option<Target>,
     /// The batches' frames.
     frames: Vec<wgpu::Buffer>,
-    /// What draws the voxels around the eye.
-    near: Option<(VoxelBox, GpuRenderer)>,
+    /// What draws the voxels around the eye, which the near plane may cut.
+    near: Option<GridCaster>,
     last_batch: Option<LastBatch>,
 }
 
@@ -60,16 +60,19 @@ impl GridRenderer {
     pub fn new(gpu: Gpu, grid: Arc<Grid>, settings: Settings) -> Result<Self> {
         if !matches!(settings.method, Method::Auto | Method::Project) {
             return Err(Error::Asked(
-                "a structured order is one of projected cells: render with --method project, or with another --order"
+                "a structured order is one of projected cells, or of rays: render with --method project or raycast, or \
+                 with another --order"
                     .into(),
             ));
         }
-        if settings.blend == BlendFormat::F16 || !gpu.blends_f32() {
+        if settings.blend == BlendFormat::F16 {
+            let text = "a structured order is blended in f32 alone: render with --blend f32, or with --method raycast";
+            return Err(Error::Asked(text.into()));
+        }
+        if !gpu.blends_f32() {
             return Err(Error::Asked(format!(
-                "a structured order is blended in f32 alone, which '{}' {}: render with --order centroid, or --device \
-                 software",
-                gpu.info.name,
-                if gpu.blends_f32() { "can, and f16 was asked for" } else { "cannot" }
+                "a structured order is blended in f32, which '{}' cannot: render with --method raycast",
+                gpu.info.name
             )));
         }
         let store = GridStore::new(&gpu, &grid)?;
@@ -148,26 +151,22 @@ impl GridRenderer {
         if transfer.bivariate {
             self.store.samples.need_gradients(&self.gpu, &self.grid);
         }
+        // It holds the samples that were needed before.
+        self.near = None;
         write_grid(&self.gpu, &self.store.samples, &self.grid, &self.part, [0; 3], None);
         self.scene = Some(GridScene::new(&self.gpu, &self.store, transfer, perspective, self.settings)?);
         Ok(())
     }
 
-    /// Draws the voxels around the eye, which are cut; true where there are any.
-    fn draw_near(&mut self, frame: &Frame<'_>, near: &Near) -> Result<bool> {
-        if near.voxels.count() == 0 {
-            return Ok(false);
+    /// Draws the voxels around the eye, if there are any. Returns the passes' times.
+    fn draw_near(&mut self, frame: &Frame<'_>, voxels: &VoxelBox, timed: bool) -> Result<Vec<PassTime>> {
+        if voxels.count() == 0 {
+            return Ok(Vec::new());
         }
-        if self.near.as_ref().is_none_or(|(voxels, _)| *voxels != near.voxels) {
-            // Pieces of one cell have no order of their own.
-            let settings = Settings { order: OrderMethod::PerPixel, ..self.settings };
-            let mesh = Arc::new(self.grid.tets_of(&near.voxels));
-            self.near = Some((near.voxels, GpuRenderer::new(self.gpu.clone(), mesh, settings)?));
-        }
-        let camera = crate::scene::Camera { near: Some(near.near), ..*frame.camera };
-        let (_, renderer) = self.near.as_mut().ok_or_else(unprepared)?;
-        renderer.render_only(&Frame { camera: &camera, background: [0.0; 4], ..*frame })?;
-        Ok(true)
+        let make = || GridCaster::of(&self.gpu, &self.grid, self.store.samples.shared(&self.gpu), self.settings);
+        let caster = self.near.get_or_insert_with(make);
+        caster.part = *voxels;
+        caster.draw_frame(&Frame { background: [0.0; 4], ..*frame }, timed)
     }
 
     /// Cells after each stage of the last frame.
@@ -180,7 +179,7 @@ impl GridRenderer {
             ("drawn".to_owned(), u64::from(drawn[0])),
         ];
         if near.count() > 0 {
-            counts.push(("around the eye, drawn otherwise".to_owned(), 5 * near.count() as u64));
+            counts.push(("around the eye, for rays".to_owned(), 5 * near.count() as u64));
         }
         Ok(counts)
     }
@@ -199,11 +198,12 @@ impl Renderer for GridRenderer {
         let (passes, near) = self.draw_frame(frame, timed)?;
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let size = |(name, buffer): (&str, &wgpu::Buffer)| BufferSize { name: name.to_owned(), bytes: buffer.size() };
+        let of_rays = self.near.iter().flat_map(GridCaster::working);
         let kind = scene.transfer.describe(self.settings.integral, scene.spans.map(|s| s.paired));
         let mut notes = vec![self.memory_note()];
         if near.count() > 0 {
             notes.push(format!(
-                "{} voxels around the eye were cut, and composed by their fragments' depths",
+                "rays were cast through the {} voxels around the eye, which the near plane may cut",
                 near.count()
             ));
         }
@@ -211,7 +211,7 @@ impl Renderer for GridRenderer {
             passes,
             notes,
             cells: self.cell_counts(&near)?,
-            buffers: self.store.held().into_iter().chain(self.store.working()).map(size).collect(),
+            buffers: self.store.held().into_iter().chain(self.store.working()).chain(of_rays).map(size).collect(),
             adapter: self.gpu.describe(),
             pipelines: format!("{kind}; outlines are drawn, of implied tetrahedra"),
             order: "structured: exact, as voxels lie around the eye".to_owned(),

@@ -137,11 +137,6 @@ impl GpuRenderer {
         Ok(order)
     }
 
-    /// The last frame's picture, which stays on the device.
-    pub(super) fn picture(&self) -> Option<&wgpu::TextureView> {
-        self.target.as_ref().map(|target| &target.picture)
-    }
-
     /// Makes kernels and marks candidates where the transfer function or what kernels are specialised to changed.
     fn prepare_scene(&mut self, transfer: &TransferFunction, emission: EmissionModel, variant: Variant) -> Result<()> {
         let same = |s: &SceneKernels| {

@@ -1,8 +1,8 @@
 //! In which order a grid's voxels are drawn, and which of them are too near to the eye to be drawn as they are.
 
 use glam::DVec3;
+use rayon::prelude::*;
 
-use crate::error::{Error, Result};
 use crate::plan::near::MOST_DEPTH_RATIO;
 use crate::plan::order::VisibilityOrder;
 use crate::scene::{Camera, Projection};
@@ -12,8 +12,8 @@ use crate::tet::{Domain as _, Grid, VoxelBox};
 /// Voxels along a brick's edge.
 pub const BRICK: usize = 8;
 
-/// Voxels around the eye that are cut at the near plane, at most: 5 tetrahedra each, in a mesh of their own.
-const MOST_NEAR: usize = 1 << 15;
+/// Depth, in units of how much a voxel's depths differ, where these have [`MOST_DEPTH_RATIO`].
+const LONG: f64 = MOST_DEPTH_RATIO / (MOST_DEPTH_RATIO - 1.0);
 
 /// The picture counts as wider by this share, more than what f32 moves a vertex by.
 const MARGIN: f64 = 1e-2;
@@ -97,64 +97,79 @@ pub fn order(grid: &Grid, camera: &Camera) -> VisibilityOrder {
 /// What is drawn of a grid around the eye in another way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Near {
-    /// Voxels to be cut: a box that holds the eye, if that is in the grid, so that it lies before all others. Empty
+    /// What may be cut: a box that holds the eye, if that is in the grid, so that it lies before all others. Empty
     /// where none is.
     pub voxels: VoxelBox,
     /// View depth, mesh space: other voxels that reach nearer are not in the picture.
     pub least_depth: f64,
-    /// View depth where the picture begins, data units.
-    pub near: f64,
 }
 
 /// The voxels near the eye for a picture of `aspect` = width / height: those that the near plane cuts, or whose depths
 /// differ by more than [`MOST_DEPTH_RATIO`], within the picture; of `part` of the grid.
 ///
-/// No voxel's depths differ by more than `extent`, so those nearer than a third of it may be too long: all that the
-/// picture holds up to 4/3 of it are in the box. Whatever else reaches nearer than `extent` / 3 lies outside the
-/// picture.
-///
-/// # Errors
-/// [`Error::Asked`] where they are too many.
-pub fn near(grid: &Grid, part: &VoxelBox, camera: &Camera, aspect: f64) -> Result<Near> {
-    let bounds = grid.bounds();
-    let near = camera.near_depth(grid.bounds_in_data().diagonal());
-    let (depth, basis) = (near / grid.data_per_mesh, camera.basis());
+/// A voxel whose depths differ by `extent` may be cut where it is nearer than the near plane, and too long where it is
+/// nearer than a third of `extent`: those that the picture holds up to where neither can be are in the box. Whatever else
+/// reaches nearer lies outside the picture.
+pub fn near(grid: &Grid, part: &VoxelBox, camera: &Camera, aspect: f64) -> Near {
+    let depth = camera.near_depth(grid.bounds_in_data().diagonal()) / grid.data_per_mesh;
     let eye = grid.mesh_from_data(camera.eye);
+    let basis = camera.basis();
     let none = VoxelBox { low: [0; 3], high: [0; 3] };
-    let (voxels, least_depth) = match camera.projection {
-        Projection::Orthographic { .. } => {
-            let first = bounds.corners().iter().map(|p| (*p - eye).dot(basis.forward)).fold(f64::INFINITY, f64::min);
-            (if first < depth { *part } else { none }, f64::NEG_INFINITY)
-        }
-        Projection::Perspective { fov_y } => {
-            let extent = longest_voxel(grid).dot(basis.forward.abs());
-            let end = depth.max(extent * MOST_DEPTH_RATIO / (MOST_DEPTH_RATIO - 1.0)) * (1.0 + MARGIN);
-            let half = (0.5 * fov_y).tan() * (1.0 + MARGIN) * end;
-            let corner =
-                |x: f64, y: f64| eye + end * basis.forward + x * half * aspect * basis.right + y * half * basis.up;
-            let seen = Bounds::of([eye, corner(1.0, 1.0), corner(1.0, -1.0), corner(-1.0, 1.0), corner(-1.0, -1.0)]);
-            // Wider by what f32 moves a vertex by, were the picture a point.
-            let hair = DVec3::splat(1e-6);
-            let seen = Bounds { min: seen.min - hair, max: seen.max + hair };
-            (grid.voxels_in(&seen).and(part), (1.0 - MARGIN) * (end / (1.0 + MARGIN) - extent))
-        }
+    let Projection::Perspective { fov_y } = camera.projection else {
+        let corners = grid.bounds_of(part).corners();
+        let first = corners.iter().map(|p| (*p - eye).dot(basis.forward)).fold(f64::INFINITY, f64::min);
+        return Near { voxels: if first < depth { *part } else { none }, least_depth: f64::NEG_INFINITY };
     };
-    if voxels.count() > MOST_NEAR {
-        return Err(Error::Asked(format!(
-            "the near plane cuts through the grid, and {} voxels lie about it: a structured order cuts {MOST_NEAR} at \
-             most; move the camera or --near, or render with --order centroid",
-            voxels.count()
-        )));
-    }
-    let voxels = if voxels.count() == 0 { none } else { voxels };
-    Ok(Near { voxels, least_depth, near })
+    let end = |extent: f64| depth.max(extent * LONG) * (1.0 + MARGIN);
+    let slope = (0.5 * fov_y).tan() * (1.0 + MARGIN);
+    let seen_up_to = |end: f64| {
+        let half = slope * end;
+        let corner = |x: f64, y: f64| eye + end * basis.forward + x * half * aspect * basis.right + y * half * basis.up;
+        let seen = Bounds::of([eye, corner(1.0, 1.0), corner(1.0, -1.0), corner(-1.0, 1.0), corner(-1.0, -1.0)]);
+        // Wider by what f32 moves a vertex by, were the picture a point.
+        let hair = DVec3::splat(1e-6);
+        Bounds { min: seen.min - hair, max: seen.max + hair }
+    };
+    let extent_of = |sides: DVec3| sides.dot(basis.forward.abs());
+    let most = extent_of(longest_voxel(grid));
+    let reached = grid.voxels_in(&seen_up_to(end(most))).and(part);
+    // Of these, voxels that are shorter are not near so far.
+    let is_near = |at: [usize; 3]| {
+        let own = grid.bounds_of(&VoxelBox { low: at, high: at.map(|i| i + 1) });
+        let seen = seen_up_to(end(extent_of(own.max - own.min)));
+        own.min.cmplt(seen.max).all() && own.max.cmpgt(seen.min).all()
+    };
+    let voxels = around(&reached, is_near).unwrap_or(none);
+    // The least that `end(extent) - extent` is of any voxel.
+    let extent = (depth / LONG).clamp(extent_of(side_lengths(grid, f64::INFINITY, f64::min)), most);
+    let least_depth = depth.max(extent * LONG) - extent;
+    Near { voxels, least_depth: (1.0 - MARGIN) * least_depth }
+}
+
+/// The box around the voxels of another that are asked for, if there are any.
+fn around(part: &VoxelBox, is_asked_for: impl Fn([usize; 3]) -> bool + Sync) -> Option<VoxelBox> {
+    let layers: Vec<VoxelBox> = (part.low[2]..part.high[2])
+        .into_par_iter()
+        .filter_map(|z| {
+            let rows = (part.low[1]..part.high[1]).flat_map(|y| (part.low[0]..part.high[0]).map(move |x| [x, y, z]));
+            rows.filter(|&at| is_asked_for(at))
+                .map(|at| VoxelBox { low: at, high: at.map(|i| i + 1) })
+                .reduce(|a, b| a.with(&b))
+        })
+        .collect();
+    layers.into_iter().reduce(|a, b| a.with(&b))
 }
 
 /// The largest sides of voxels, mesh space.
 pub fn longest_voxel(grid: &Grid) -> DVec3 {
-    let longest = |places: &Vec<f64>| places.windows(2).map(|p| (p[1] - p[0]).abs()).fold(0.0, f64::max);
+    side_lengths(grid, 0.0, f64::max)
+}
+
+/// Of voxels along each axis, folded.
+fn side_lengths(grid: &Grid, start: f64, fold: fn(f64, f64) -> f64) -> DVec3 {
+    let of = |places: &Vec<f64>| places.windows(2).map(|p| (p[1] - p[0]).abs()).fold(start, fold);
     let [x, y, z] = &grid.places;
-    DVec3::new(longest(x), longest(y), longest(z))
+    DVec3::new(of(x), of(y), of(z))
 }
 
 /// The view volume, for what is wholly outside of it.

@@ -53,6 +53,13 @@ impl VoxelBox {
         (0..3).map(|axis| self.high[axis].saturating_sub(self.low[axis])).product()
     }
 
+    /// The least that holds both.
+    #[must_use]
+    pub fn with(&self, other: &Self) -> Self {
+        let low = std::array::from_fn(|i| self.low[i].min(other.low[i]));
+        Self { low, high: std::array::from_fn(|i| self.high[i].max(other.high[i])) }
+    }
+
     /// What both hold.
     #[must_use]
     pub fn and(&self, other: &Self) -> Self {
@@ -117,6 +124,11 @@ impl Grid {
     /// All voxels.
     pub fn all(&self) -> VoxelBox {
         VoxelBox { low: [0; 3], high: self.voxels() }
+    }
+
+    /// What voxels fill, mesh space.
+    pub fn bounds_of(&self, part: &VoxelBox) -> Bounds {
+        Bounds::of([self.place(part.low), self.place(part.high)])
     }
 
     /// The voxels that reach into a box of mesh space.

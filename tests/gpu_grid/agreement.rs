@@ -1,13 +1,17 @@
 //! Pictures of the implied tetrahedra are those of the explicit ones, composed in exact order.
 
+use std::sync::Arc;
+
 use glam::DVec3;
+use tetralux::image::Comparison;
+use tetralux::mesh::Mesh;
 use tetralux::renderer::Settings;
 use tetralux::scene::{Camera, Projection, TransferFunction};
-use tetralux::tet::{Domain as _, Grid};
+use tetralux::tet::{Domain as _, Grid, TetMesh, VoxelBox};
 
 use crate::grids::{
-    PERSPECTIVE, STRUCTURED, assert_agree, bivariate, both, camera, caster, draw, explicit, explicit_rays, lattice,
-    octants, renderer, univariate, waves,
+    MOST, PERSPECTIVE, STRUCTURED, assert_agree, bivariate, both, camera, caster, draw, explicit, explicit_rays,
+    lattice, octants, placed, renderer, univariate, waves,
 };
 
 const SIZE: [u32; 2] = [56, 48];
@@ -38,8 +42,20 @@ fn grids_hold_what_meshes_do() {
     }
 }
 
-fn agrees(what: &str, voxels: [usize; 3], spacing: DVec3, cameras: impl Fn(&Grid) -> Vec<Camera>) {
-    let (grid, mesh) = both(&lattice(voxels, DVec3::new(0.4, -1.0, 0.2), spacing, waves));
+/// Of the voxels, which a structured order draws as projected cells.
+#[derive(Clone, Copy)]
+enum Share {
+    All,
+    /// Those that the near plane cannot cut.
+    Far,
+}
+
+fn agrees(what: &str, voxels: [usize; 3], spacing: DVec3, share: Share, cameras: impl Fn(&Grid) -> Vec<Camera>) {
+    agrees_of(what, &lattice(voxels, DVec3::new(0.4, -1.0, 0.2), spacing, waves), share, cameras);
+}
+
+fn agrees_of(what: &str, mesh: &Mesh, share: Share, cameras: impl Fn(&Grid) -> Vec<Camera>) {
+    let (grid, mesh) = both(mesh);
     let functions: [(&str, TransferFunction); 2] = [("1D", univariate(&grid)), ("2D", bivariate(&grid))];
     let (mut implied, mut held) = (renderer(&grid, STRUCTURED), explicit(&mesh));
     let (mut rays, mut held_rays) = (caster(&grid, STRUCTURED), explicit_rays(&mesh));
@@ -47,35 +63,69 @@ fn agrees(what: &str, voxels: [usize; 3], spacing: DVec3, cameras: impl Fn(&Grid
         for (i, camera) in cameras(&grid).iter().enumerate() {
             let what = format!("{what}, {name}, camera {i}");
             let (got, want) = (draw(&mut implied, camera, transfer, SIZE), draw(&mut held, camera, transfer, SIZE));
-            assert_agree(&got.image, &want.image, &what);
+            match share {
+                Share::All => assert_agree(&got.image, &want.image, MOST, &what),
+                // Rays draw the rest, and pass no rasteriser's grid, by which thin cells' edges move.
+                Share::Far => {
+                    let c = Comparison::new(&got.image, &want.image).expect("equal sizes");
+                    assert!(c.psnr >= 85.0 && c.percentile_99_9 <= 5e-4, "{what}: {c}");
+                }
+            }
             let (got, want) = (draw(&mut rays, camera, transfer, SIZE), draw(&mut held_rays, camera, transfer, SIZE));
-            assert_agree(&got.image, &want.image, &format!("{what}, rays"));
+            assert_agree(&got.image, &want.image, MOST, &format!("{what}, rays"));
         }
     }
 }
 
 #[test]
 fn pictures_agree_from_all_octants() {
-    agrees("odd", [9, 7, 5], DVec3::new(0.3, 0.35, 0.5), |grid| octants(grid, PERSPECTIVE));
-    agrees("of one voxel", [1, 1, 1], DVec3::new(2.0, 1.0, 1.5), |grid| octants(grid, PERSPECTIVE)[..2].to_vec());
+    agrees("odd", [9, 7, 5], DVec3::new(0.3, 0.35, 0.5), Share::All, |grid| octants(grid, PERSPECTIVE));
+    agrees("of one voxel", [1, 1, 1], DVec3::new(2.0, 1.0, 1.5), Share::All, |grid| {
+        octants(grid, PERSPECTIVE)[..2].to_vec()
+    });
 }
 
 #[test]
 fn pictures_agree_in_parallel_projection() {
-    let height = 5.0;
-    agrees("even", [8, 10, 4], DVec3::new(0.3, 0.25, 0.6), |grid| {
-        let mut cameras = octants(grid, Projection::Orthographic { height });
-        // Straight along an axis, and through all of the mesh's near plane.
+    let (voxels, spacing) = ([8, 10, 4], DVec3::new(0.3, 0.25, 0.6));
+    let flat = Projection::Orthographic { height: 5.0 };
+    agrees("even", voxels, spacing, Share::All, |grid| {
+        let mut cameras = octants(grid, flat);
+        // Straight along an axis.
         let center = grid.bounds_in_data().center();
-        cameras.push(camera(center + DVec3::X * 9.0, center, Projection::Orthographic { height }));
-        cameras.push(camera(center, center + DVec3::new(0.3, 1.0, 0.2), Projection::Orthographic { height }));
+        cameras.push(camera(center + DVec3::X * 9.0, center, flat));
         cameras
+    });
+    // The near plane cuts through all of it.
+    agrees("cut", voxels, spacing, Share::Far, |grid| {
+        let center = grid.bounds_in_data().center();
+        vec![camera(center, center + DVec3::new(0.3, 1.0, 0.2), flat)]
+    });
+}
+
+/// Planes at uneven distances, along one axis falling.
+#[test]
+fn pictures_of_uneven_grids_agree() {
+    let place = |at: DVec3| DVec3::new(0.1 * at.x * at.x, 2.0 - 0.3 * at.y, 0.02 * (1.45_f64.powf(at.z) - 1.0));
+    let mesh = placed([7, 6, 9], place, waves);
+    agrees_of("uneven", &mesh, Share::All, |grid| octants(grid, PERSPECTIVE)[2..6].to_vec());
+    agrees_of("uneven, flat", &mesh, Share::All, |grid| {
+        octants(grid, Projection::Orthographic { height: 5.0 })[3..5].to_vec()
+    });
+    // Where voxels are small, and before where they are large.
+    agrees_of("uneven, within", &mesh, Share::Far, |grid| {
+        let bounds = grid.bounds_in_data();
+        let at = |x: f64, y: f64, z: f64| bounds.min + (bounds.max - bounds.min) * DVec3::new(x, y, z);
+        vec![
+            camera(at(0.03, 0.4, 0.02), at(0.9, 0.6, 0.9), PERSPECTIVE),
+            camera(at(1.02, 0.4, 0.9), at(0.1, 0.6, 0.3), PERSPECTIVE),
+        ]
     });
 }
 
 #[test]
 fn pictures_agree_from_within_and_nearby() {
-    agrees("turned axes", [18, 9, 11], DVec3::new(0.2, -0.3, 0.25), |grid| {
+    agrees("turned axes", [18, 9, 11], DVec3::new(0.2, -0.3, 0.25), Share::Far, |grid| {
         let bounds = grid.bounds_in_data();
         let at = |x: f64, y: f64, z: f64| bounds.min + (bounds.max - bounds.min) * DVec3::new(x, y, z);
         let mut cameras = vec![
@@ -95,18 +145,28 @@ fn pictures_agree_from_within_and_nearby() {
 fn a_clipped_grid_is_the_grid_of_its_voxels() {
     let (voxels, spacing) = ([12, 10, 9], DVec3::new(0.3, 0.25, 0.35));
     let whole = lattice(voxels, DVec3::ZERO, spacing, waves);
-    let (grid, _) = both(&whole);
+    let (grid, mesh) = both(&whole);
     let transfer = univariate(&grid);
-    // Even steps keep the parity.
-    let part = tetralux::tet::VoxelBox { low: [2, 4, 2], high: [9, 9, 7] };
+    // Even and odd: the voxels' parity is that of the whole.
+    let part = VoxelBox { low: [1, 4, 2], high: [9, 9, 7] };
     let corner = |at: [usize; 3]| spacing * DVec3::from_array(at.map(|n| n as f64));
     let inside = DVec3::splat(0.01);
     let bounds = tetralux::space::Bounds { min: corner(part.low) + inside, max: corner(part.high) - inside };
     let mut clipped = renderer(&grid, STRUCTURED).clipped_to(&bounds).unwrap_or_else(|e| panic!("{e}"));
-    let mut alone = explicit(&std::sync::Arc::new(grid.tets_of(&part)));
+    let mut rays = caster(&grid, STRUCTURED).clipped_to(&bounds).unwrap_or_else(|e| panic!("{e}"));
+    let is_in = |tet: usize| {
+        let at = [tet / 5 % voxels[0], tet / 5 / voxels[0] % voxels[1], tet / 5 / voxels[0] / voxels[1]];
+        (0..3).all(|axis| (part.low[axis]..part.high[axis]).contains(&at[axis]))
+    };
+    let kept: Vec<[u32; 4]> = mesh.tets.iter().enumerate().filter(|(i, _)| is_in(*i)).map(|(_, &tet)| tet).collect();
+    assert_eq!(kept.len(), 5 * part.count());
+    let kept = Arc::new(TetMesh { tets: Arc::new(kept), ..(*mesh).clone() });
+    let (mut held, mut held_rays) = (explicit(&kept), explicit_rays(&kept));
     for camera in &octants(&grid, PERSPECTIVE)[3..5] {
-        let (got, want) = (draw(&mut clipped, camera, &transfer, SIZE), draw(&mut alone, camera, &transfer, SIZE));
-        assert_agree(&got.image, &want.image, "clipped");
+        let (got, want) = (draw(&mut clipped, camera, &transfer, SIZE), draw(&mut held, camera, &transfer, SIZE));
+        assert_agree(&got.image, &want.image, MOST, "clipped");
+        let (got, want) = (draw(&mut rays, camera, &transfer, SIZE), draw(&mut held_rays, camera, &transfer, SIZE));
+        assert_agree(&got.image, &want.image, MOST, "clipped, rays");
     }
     let nothing = tetralux::space::Bounds { min: DVec3::splat(50.0), max: DVec3::splat(60.0) };
     assert!(renderer(&grid, STRUCTURED).clipped_to(&nothing).is_err());
@@ -123,6 +183,37 @@ fn integrals_are_those_of_meshes() {
         let got = draw(&mut renderer(&grid, settings), &camera, &transfer, SIZE);
         let order = tetralux::renderer::OrderMethod::PerPixel;
         let mut held = crate::common::gpu::renderer(&mesh, Settings { order, ..settings });
-        assert_agree(&got.image, &draw(&mut held, &camera, &transfer, SIZE).image, &format!("{integral}"));
+        assert_agree(&got.image, &draw(&mut held, &camera, &transfer, SIZE).image, MOST, &format!("{integral}"));
+    }
+}
+
+/// The comparison sees what it has to: of one sample changed by a hundredth of the range, the picture is another.
+#[test]
+fn another_sample_is_another_picture() {
+    let mesh = lattice([5, 5, 5], DVec3::ZERO, DVec3::splat(0.4), waves);
+    let mut other = mesh.clone();
+    // In the middle.
+    other.arrays[0].values[3 + 6 * (3 + 6 * 3)] += 0.03;
+    let [(grid, _), (changed, _)] = [both(&mesh), both(&other)];
+    let transfer = univariate(&grid);
+    let camera = octants(&grid, PERSPECTIVE)[6];
+    let [a, b] = [&grid, &changed].map(|grid| draw(&mut caster(grid, STRUCTURED), &camera, &transfer, SIZE).image);
+    let c = Comparison::new(&a, &b).expect("equal sizes");
+    assert!(c.max > 10.0 * MOST, "{c}");
+}
+
+/// What takes long goes on in the next dispatch.
+#[test]
+fn rays_go_on_where_they_were_left() {
+    let (grid, _) = both(&lattice([20, 9, 17], DVec3::ZERO, DVec3::splat(0.4), waves));
+    for transfer in [univariate(&grid), bivariate(&grid)] {
+        for camera in &octants(&grid, PERSPECTIVE)[5..7] {
+            let whole = draw(&mut caster(&grid, STRUCTURED), camera, &transfer, SIZE).image;
+            for turns in [2, 25] {
+                let mut left = caster(&grid, STRUCTURED).leaving_rays_after(turns);
+                let what = format!("left after {turns} turns");
+                crate::common::gpu::assert_same_bits(&draw(&mut left, camera, &transfer, SIZE).image, &whole, &what);
+            }
+        }
     }
 }

@@ -112,6 +112,12 @@ impl<'a> Truth<'a> {
         Self { frame, image, explainer }
     }
 
+    /// The same, where errors are explained by what the picture does within `shift` pixels.
+    pub fn within(mut self, shift: f64) -> Self {
+        self.explainer.shift = shift;
+        self
+    }
+
     pub fn verdict(&self, got: &Image, limits: Limits) -> Verdict {
         self.verdict_against(got, &self.image, limits)
     }

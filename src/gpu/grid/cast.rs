@@ -33,7 +33,7 @@ pub struct GridCaster {
     grid: Arc<Grid>,
     settings: Settings,
     /// The voxels that are seen.
-    part: VoxelBox,
+    pub(super) part: VoxelBox,
     samples: GridSamples,
     runner: RayRunner,
     tallies: wgpu::Buffer,
@@ -57,11 +57,23 @@ impl GridCaster {
     /// A grid beyond the device's limits, with the numbers.
     pub fn new(gpu: Gpu, grid: Arc<Grid>, settings: Settings) -> Result<Self> {
         let samples = GridSamples::new(&gpu, &grid)?;
-        let runner = RayRunner::new(&gpu, TILE, STATE_BYTES);
+        Ok(Self::of(&gpu, &grid, samples, settings))
+    }
+
+    /// Of samples that are uploaded already.
+    pub(super) fn of(gpu: &Gpu, grid: &Arc<Grid>, samples: GridSamples, settings: Settings) -> Self {
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
-        let tallies = gpu.buffer("tallies", 0, usage);
-        let part = grid.all();
-        Ok(Self { gpu, grid, settings, part, samples, runner, tallies, scene: None, target: None })
+        Self {
+            gpu: gpu.clone(),
+            grid: Arc::clone(grid),
+            settings,
+            part: grid.all(),
+            samples,
+            runner: RayRunner::new(gpu, TILE, STATE_BYTES),
+            tallies: gpu.buffer("tallies", 0, usage),
+            scene: None,
+            target: None,
+        }
     }
 
     /// The same of the voxels that reach into a box alone, which is in data space and parallel to the axes.
@@ -70,7 +82,6 @@ impl GridCaster {
     /// [`crate::Error::Asked`] for a box that holds none.
     pub fn clipped_to(mut self, bounds: &Bounds) -> Result<Self> {
         self.part = clipped_part(&self.grid, bounds)?;
-        self.scene = None;
         Ok(self)
     }
 
@@ -119,7 +130,7 @@ impl GridCaster {
     }
 
     /// Draws a frame; the picture is left in the target. Times of passes where asked.
-    fn draw_frame(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Vec<PassTime>> {
+    pub(super) fn draw_frame(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Vec<PassTime>> {
         super::check(frame.optics)?;
         light::check(frame.optics)?;
         let lens = Lens::new(frame.camera, frame.size, &*self.grid);
@@ -127,6 +138,7 @@ impl GridCaster {
         if self.target.as_ref().is_none_or(|t| t.size != frame.size) {
             self.target = Some(Target::new(&self.gpu, frame.size, false)?);
         }
+        write_grid(&self.gpu, &self.samples, &self.grid, &self.part, [0; 3], None);
         let tiles = frame.size.map(|n| n.div_ceil(TILE));
         self.runner.need_states(&self.gpu, frame.size)?;
         grow(&self.gpu, &mut self.tallies, "tallies", u64::from(tiles[0]) * u64::from(tiles[1]) * 4)?;
@@ -148,6 +160,16 @@ impl GridCaster {
         held.with("blocks", &scene.blocks).with("tallies", &self.tallies)
     }
 
+    /// What a frame takes.
+    pub(super) fn working(&self) -> [(&'static str, &wgpu::Buffer); 2] {
+        [("states", self.runner.states()), ("tallies", &self.tallies)]
+    }
+
+    /// The last frame.
+    pub(super) fn picture(&self) -> Option<&wgpu::TextureView> {
+        self.target.as_ref().map(|target| &target.picture)
+    }
+
     fn stats(&self, passes: Vec<PassTime>) -> Result<Stats> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let bits: Vec<u32> = self.gpu.read(&scene.blocks, scene.blocks.size())?;
@@ -160,7 +182,6 @@ impl GridCaster {
         let held: Vec<_> = self.samples.held().into_iter().chain([("blocks", &scene.blocks)]).collect();
         let bytes: u64 = held.iter().map(|(_, buffer)| buffer.size()).sum();
         let per_voxel = bytes as f64 / self.grid.scalar.len() as f64;
-        let frame = [("states", self.runner.states()), ("tallies", &self.tallies)];
         let kind = scene.transfer.describe(self.settings.integral, None);
         Ok(Stats {
             cells: vec![
@@ -168,7 +189,7 @@ impl GridCaster {
                 ("in blocks of voxels that the function can show, at most".to_owned(), shown * 8 * 5),
             ],
             passes,
-            buffers: held.into_iter().chain(frame).map(size).collect(),
+            buffers: held.into_iter().chain(self.working()).map(size).collect(),
             adapter: self.gpu.describe(),
             pipelines: format!("{kind}; rays pass implied tetrahedra"),
             rays: Some(RayCounts { steps: tallies.iter().map(|&n| u64::from(n)).sum(), repaired: 0, lost: 0 }),

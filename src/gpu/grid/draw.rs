@@ -38,8 +38,9 @@ impl GridRenderer {
             self.target = Some(Target::new(&self.gpu, frame.size, false)?);
         }
         let aspect = f64::from(frame.size[0]) / f64::from(frame.size[1]);
-        let near = voxels::near(&self.grid, &self.part, frame.camera, aspect)?;
-        let has_near = self.draw_near(frame, &near)?;
+        let near = voxels::near(&self.grid, &self.part, frame.camera, aspect);
+        let has_near = near.voxels.count() > 0;
+        let mut passes = self.draw_near(frame, &near.voxels, timed)?;
         let nearest = voxels::nearest(&self.grid, frame.camera);
         write_grid(&self.gpu, &self.store.samples, &self.grid, &self.part, nearest, Some(&near));
         let has_viewport = frame.size.iter().all(|&n| n <= self.gpu.device.limits().max_texture_dimension_2d / 2);
@@ -56,7 +57,8 @@ impl GridRenderer {
             let bricks = list[batch.first..batch.first + batch.bricks].to_vec();
             LastBatch { bricks, nearest }
         });
-        Ok((grouped(recorder.finish()?), near.voxels))
+        passes.extend(recorder.finish()?);
+        Ok((grouped(passes), near.voxels))
     }
 
     /// The list of the bricks in the picture, back to front, and how it is cut.
@@ -188,8 +190,8 @@ impl GridRenderer {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let target = self.target.as_ref().ok_or_else(unprepared)?;
         if has_near {
-            let (_, renderer) = self.near.as_ref().ok_or_else(unprepared)?;
-            let picture = Resources::default().with_texture("near", renderer.picture().ok_or_else(unprepared)?);
+            let caster = self.near.as_ref().ok_or_else(unprepared)?;
+            let picture = Resources::default().with_texture("near", caster.picture().ok_or_else(unprepared)?);
             let groups = scene.near.bind(&self.gpu, &picture)?;
             let over = [(&target.blended, wgpu::LoadOp::Load)];
             recorder.draw(&scene.near, &groups, &over, |pass| pass.draw(0..3, 0..1))?;

@@ -59,6 +59,13 @@ impl GridSamples {
         })
     }
 
+    /// The same samples, for passes that see a part of the grid of their own.
+    pub fn shared(&self, gpu: &Gpu) -> Self {
+        let (samples, gradients, places) = (self.samples.clone(), self.gradients.clone(), self.places.clone());
+        let grid = gpu.uniform("grid", &[layout::Grid::default()]);
+        Self { samples, gradients, places, grid, ..*self }
+    }
+
     /// Uploads gradient magnitudes, if no scene needed them before.
     pub fn need_gradients(&mut self, gpu: &Gpu, grid: &Grid) {
         if self.gradients.size() < grid.scalar.len() as u64 * 4 {
