@@ -10,7 +10,7 @@ use crate::cpu::{self, CpuRenderer};
 use crate::error::{Error, Result};
 use crate::gpu::{DeviceChoice, Gpu, GpuRenderer, GridCaster, GridRenderer, RayCaster};
 use crate::oracle::Oracle;
-use crate::renderer::{Method, Renderer, Settings};
+use crate::renderer::{BlendFormat, Method, OrderMethod, Renderer, Settings};
 use crate::scene::{Optics, TransferFunction};
 use crate::space::Bounds;
 use crate::tet::{Grid, TetMesh};
@@ -68,7 +68,23 @@ fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<
     }
 }
 
-/// A renderer of a grid's implied tetrahedra, or of those in a box.
+/// Whether a grid needs no mesh: a graphics device that draws the scene without one.
+pub(super) fn takes_grids(device: Device, settings: Settings, optics: &Optics) -> bool {
+    let is_there = match device {
+        Device::Cpu | Device::Oracle => false,
+        Device::Gpu | Device::Software => true,
+        Device::Auto => Gpu::new(DeviceChoice::Any).is_ok(),
+    };
+    let method = match settings.method {
+        Method::Auto | Method::RayCast => true,
+        Method::Project => settings.blend != BlendFormat::F16,
+        Method::CellCast => false,
+    };
+    is_there && method && !optics.uses_gradients()
+}
+
+/// A renderer of a grid's implied tetrahedra, or of those in a box. Rays are the default: what they take does not grow with
+/// what can be seen.
 pub(super) fn grid_renderer(grid: &Arc<Grid>, wish: &Wish<'_>, clip: Option<[f64; 6]>) -> Result<Chosen> {
     let choice = match wish.device {
         Device::Auto | Device::Gpu => DeviceChoice::Any,
@@ -82,14 +98,17 @@ pub(super) fn grid_renderer(grid: &Arc<Grid>, wish: &Wish<'_>, clip: Option<[f64
     let (gpu, grid) = (Gpu::new(choice)?, Arc::clone(grid));
     let bounds =
         clip.map(|[x0, y0, z0, x1, y1, z1]| Bounds { min: DVec3::new(x0, y0, z0), max: DVec3::new(x1, y1, z1) });
-    let renderer: Box<dyn Renderer> = if wish.settings.method == Method::RayCast {
+    let is_auto = wish.settings.order == OrderMethod::Auto;
+    let casts = wish.settings.method == Method::RayCast || (is_auto && wish.settings.method == Method::Auto);
+    let renderer: Box<dyn Renderer> = if casts {
         let caster = GridCaster::new(gpu, grid, wish.settings)?;
         Box::new(if let Some(bounds) = bounds { caster.clipped_to(&bounds)? } else { caster })
     } else {
         let renderer = GridRenderer::new(gpu, grid, wish.settings)?;
         Box::new(if let Some(bounds) = bounds { renderer.clipped_to(&bounds)? } else { renderer })
     };
-    Ok(Chosen { renderer, note: None })
+    let note = "a voxel of the grid stands for five tetrahedra, none of which is held; --split 6 makes a mesh";
+    Ok(Chosen { renderer, note: is_auto.then(|| note.into()) })
 }
 
 fn cast(mesh: &Arc<TetMesh>, settings: Settings) -> Result<Box<dyn Renderer>> {

@@ -1,9 +1,11 @@
 //! From a file's name to tetrahedra: the only place here that reads meshes.
 
+use rayon::prelude::*;
+
 use super::args::{SourceArgs, Split};
 use super::output::note;
 use super::progress::step;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::mesh::{self, ArrayChoice, Mesh, ReadOptions};
 use crate::tet::{BuildOptions, Census, FieldChoice, Grid, HexSplit, TetMesh};
 
@@ -24,8 +26,9 @@ pub(super) fn mesh(source: &SourceArgs, arrays: ArrayChoice) -> Result<Mesh> {
 pub(super) fn cut(mesh: Mesh, source: &SourceArgs, field: Option<&str>) -> Result<(TetMesh, Census)> {
     let choice = field.map_or_else(FieldChoice::default, FieldChoice::parse);
     let hex_split = match source.split {
-        Split::Five => HexSplit::FiveAlternating,
-        Split::Six => HexSplit::Six,
+        Some(Split::Five) => HexSplit::FiveAlternating,
+        None if Grid::check(&mesh).is_ok() => HexSplit::FiveAlternating,
+        None | Some(Split::Six) => HexSplit::Six,
     };
     let options = BuildOptions { hex_split, weld: source.weld };
     step("building", || TetMesh::new(mesh, &choice, options))
@@ -38,13 +41,43 @@ pub(super) fn tet_mesh(source: &SourceArgs, field: Option<&str>) -> Result<(TetM
     Ok((mesh, census))
 }
 
-/// A grid whose tetrahedra are implied, telling the same.
-pub(super) fn grid(source: &SourceArgs, field: Option<&str>) -> Result<Grid> {
+/// What a renderer is made of.
+pub(super) enum Domain {
+    /// Its tetrahedra are implied.
+    Grid(Grid),
+    Mesh(TetMesh),
+}
+
+/// Which is wanted.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Wanted {
+    Grid,
+    /// A grid, where that is one with values everywhere, and nothing was asked for that needs a mesh.
+    GridIfPossible,
+    Mesh,
+}
+
+/// Either, telling the same.
+pub(super) fn domain(source: &SourceArgs, field: Option<&str>, wanted: Wanted) -> Result<Domain> {
     let mesh = mesh(source, arrays(field))?;
+    if wanted == Wanted::Grid && (source.weld || source.split == Some(Split::Six)) {
+        let text =
+            "a structured order takes five tetrahedra a voxel, and joins no points: leave out --split 6 and --weld";
+        return Err(Error::Asked(text.into()));
+    }
+    let is_plain = || {
+        let is_finite = mesh.arrays.iter().all(|array| array.values.par_iter().all(|v| v.is_finite()));
+        !source.weld && source.split != Some(Split::Six) && is_finite && Grid::check(&mesh).is_ok()
+    };
+    if wanted == Wanted::Mesh || (wanted == Wanted::GridIfPossible && !is_plain()) {
+        let (mesh, census) = cut(mesh, source, field)?;
+        tell(&census.notes);
+        return Ok(Domain::Mesh(mesh));
+    }
     let choice = field.map_or_else(FieldChoice::default, FieldChoice::parse);
     let (grid, notes) = step("building", || Grid::new(mesh, &choice))?;
     tell(&notes);
-    Ok(grid)
+    Ok(Domain::Grid(grid))
 }
 
 /// Without a name the choice falls on the first array of one component, which only the whole list tells.

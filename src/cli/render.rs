@@ -8,6 +8,7 @@ use indicatif::ProgressBar;
 use super::args::RenderArgs;
 use super::device::{Chosen, Wish};
 use super::job::RenderJob;
+use super::load::Wanted;
 use super::stats::{Report, Timing};
 use super::{device, legend, load, output, progress};
 use crate::error::{Error, Result};
@@ -18,16 +19,28 @@ pub(super) fn run(args: &RenderArgs) -> anyhow::Result<()> {
     let job = RenderJob::new(args)?;
     let field = job.scene.field.as_deref();
     let start = Instant::now();
-    if args.choices.settings().order == OrderMethod::Structured {
-        let grid = Arc::new(load::grid(&args.source, field)?);
-        let make = |wish: &Wish<'_>, _: &ProgressBar| device::grid_renderer(&grid, wish, args.choices.clip);
-        return draw(args, &job, &*grid, start.elapsed(), make);
+    let wanted = match args.choices.settings().order {
+        OrderMethod::Structured => Wanted::Grid,
+        OrderMethod::Auto if device::takes_grids(args.device, args.choices.settings(), &job.scene.optics) => {
+            Wanted::GridIfPossible
+        }
+        _ => Wanted::Mesh,
+    };
+    match load::domain(&args.source, field, wanted)? {
+        load::Domain::Grid(grid) => {
+            let grid = Arc::new(grid);
+            let make = |wish: &Wish<'_>, _: &ProgressBar| device::grid_renderer(&grid, wish, args.choices.clip);
+            draw(args, &job, &*grid, start.elapsed(), make)
+        }
+        load::Domain::Mesh(_) if args.choices.clip.is_some() => Err(Error::Asked(
+            "--clip takes a grid parallel to the axes: --order structured tells what is against it".into(),
+        )
+        .into()),
+        load::Domain::Mesh(mesh) => {
+            let mesh = Arc::new(mesh);
+            draw(args, &job, &*mesh, start.elapsed(), |wish, bar| device::renderer(&mesh, wish, bar))
+        }
     }
-    if args.choices.clip.is_some() {
-        return Err(Error::Asked("--clip needs --order structured".into()).into());
-    }
-    let mesh = Arc::new(load::tet_mesh(&args.source, field)?.0);
-    draw(args, &job, &*mesh, start.elapsed(), |wish, bar| device::renderer(&mesh, wish, bar))
 }
 
 /// Makes a renderer, draws, and tells. `load`: what the mesh took.

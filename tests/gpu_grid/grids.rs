@@ -80,7 +80,7 @@ pub fn explicit_rays(mesh: &Arc<TetMesh>) -> impl Renderer + use<> {
     RayCaster::new(gpu::device(), mesh.clone(), DEFAULT).unwrap_or_else(|e| panic!("{e}"))
 }
 
-pub fn draw(renderer: &mut impl Renderer, camera: &Camera, transfer: &TransferFunction, size: [u32; 2]) -> Rendered {
+pub fn draw(renderer: &mut dyn Renderer, camera: &Camera, transfer: &TransferFunction, size: [u32; 2]) -> Rendered {
     let frame = Frame { camera, transfer, optics: &Optics::PLAIN, size, background: [0.1, 0.2, 0.3, 1.0] };
     renderer.render(&frame, false).unwrap_or_else(|e| panic!("{e}"))
 }

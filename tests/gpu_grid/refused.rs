@@ -87,11 +87,11 @@ fn the_command_line_tells_what_to_do() {
     let raw = file("cube.raw");
     std::fs::write(&raw, (0..64_u8).collect::<Vec<_>>()).expect("written");
     let picture = file("cube.png");
-    let render = |mesh: &str, more: &[&str]| {
-        let common =
-            ["render", mesh, "-o", &picture, "--size", "32x32", "--device", "software", "--order", "structured"];
+    let on = |device: &str, mesh: &str, more: &[&str]| {
+        let common = ["render", mesh, "-o", &picture, "--size", "32x32", "--device", device];
         run(&[&common, more].concat())
     };
+    let render = |mesh: &str, more: &[&str]| on("software", mesh, &[&["--order", "structured"][..], more].concat());
     let (code, text) = render(&raw, &["--dims", "4x4x4", "--sample-type", "u8", "--explain"]);
     assert_eq!(code, 0, "{text}");
     assert!(text.contains("135  after in the grid") && text.contains("B a voxel"), "{text}");
@@ -105,8 +105,30 @@ fn the_command_line_tells_what_to_do() {
         assert!(got == code && text.contains(why), "{got}: {text}");
     }
     let fire = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/data/fire_ug.vtu");
-    let (code, text) = render(&fire.to_string_lossy(), &[]);
+    let fire = fire.to_string_lossy();
+    let (code, text) = render(&fire, &[]);
     assert!(code == 2 && text.contains("--order centroid"), "{code}: {text}");
-    let (code, text) = render(&raw, &["--dims", "4x4x4", "--sample-type", "u8", "--device", "cpu"]);
-    assert!(code == 2, "{code}: {text}");
+    let cube = ["--dims", "4x4x4", "--sample-type", "u8"];
+    let (code, text) = on("cpu", &raw, &[&cube[..], &["--order", "structured"]].concat());
+    assert!(code == 2 && text.contains("drawn by graphics devices"), "{code}: {text}");
+    for contrary in ["--weld", "--split=6"] {
+        let (code, text) = render(&raw, &[&cube[..], &[contrary]].concat());
+        assert!(code == 2 && text.contains("leave out --split 6 and --weld"), "{code}: {text}");
+    }
+    // Of itself, a grid is taken as one where nothing needs a mesh.
+    for (more, is_grid) in [
+        (&[][..], true),
+        (&["--method", "project"], true),
+        (&["--method", "raycast", "--split", "5"], true),
+        (&["--clip", "1,0,0,2,2,2"], true),
+        (&["--split", "6"], false),
+        (&["--method", "cellcast"], false),
+        (&["--order", "centroid"], false),
+        (&["--light", "0,0,1"], false),
+    ] {
+        let (code, text) = on("software", &raw, &[&cube[..], &["--explain"], more].concat());
+        assert!(code == 0 && text.contains("in the grid") == is_grid, "{more:?}: {code}: {text}");
+    }
+    let (code, text) = on("software", &fire, &["--clip", "0,0,0,1,1,1"]);
+    assert!(code == 2 && text.contains("--clip takes a grid"), "{code}: {text}");
 }
