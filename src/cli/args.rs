@@ -54,7 +54,7 @@ pub(super) struct SourceArgs {
     /// Raw volumes: type of a sample, as u8, i16be, f32
     #[arg(long, value_name = "TYPE")]
     pub sample_type: Option<String>,
-    /// Tetrahedra a hexahedron is cut into, 5 or 6; 5 for structured grids only [default: 5 for grids parallel to the axes,
+    /// Tetrahedra a hexahedron is cut into, 5 or 6; 5 for structured grids only [default: 5 for rectilinear grids,
     /// else 6]
     #[arg(long, value_name = "N")]
     pub split: Option<Split>,
@@ -196,7 +196,7 @@ pub(super) struct ChoiceArgs {
     /// Keep cells that the transfer function leaves empty
     #[arg(long)]
     pub no_cull: bool,
-    /// Draw the voxels alone that reach into this box, data units; of grids parallel to the axes
+    /// Draw the voxels alone that reach into this box, data units; of rectilinear grids that are not turned
     #[arg(long, value_name = "X0,Y0,Z0,X1,Y1,Z1", value_parser = parse::corners, allow_hyphen_values = true)]
     pub clip: Option<[f64; 6]>,
     /// Rays end where they would see less than this share of what lies behind; 0: at the mesh's end
@@ -280,7 +280,7 @@ pub(super) enum SilhouetteMode {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Method {
-    /// Projected tetrahedra on graphics devices; rays on the CPU, and through grids parallel to the axes
+    /// Projected tetrahedra on graphics devices; rays on the CPU, and through rectilinear grids
     Auto,
     /// Projected tetrahedra
     Project,
@@ -305,7 +305,7 @@ pub(super) enum Order {
     Exact,
     /// Each pixel's fragments by their own depth: exact
     PerPixel,
-    /// Grids parallel to the axes: voxels as they lie around the eye, five tetrahedra each that are not stored; exact
+    /// Rectilinear grids: voxels as they lie around the eye, five tetrahedra each that are not stored; exact
     Structured,
 }
 

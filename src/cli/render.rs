@@ -32,10 +32,10 @@ pub(super) fn run(args: &RenderArgs) -> anyhow::Result<()> {
             let make = |wish: &Wish<'_>, _: &ProgressBar| device::grid_renderer(&grid, wish, args.choices.clip);
             draw(args, &job, &*grid, start.elapsed(), make)
         }
-        load::Domain::Mesh(_) if args.choices.clip.is_some() => Err(Error::Asked(
-            "--clip takes a grid parallel to the axes: --order structured tells what is against it".into(),
-        )
-        .into()),
+        load::Domain::Mesh(_) if args.choices.clip.is_some() => {
+            Err(Error::Asked("--clip takes a rectilinear grid: --order structured tells what is against it".into())
+                .into())
+        }
         load::Domain::Mesh(mesh) => {
             let mesh = Arc::new(mesh);
             draw(args, &job, &*mesh, start.elapsed(), |wish, bar| device::renderer(&mesh, wish, bar))

@@ -10,6 +10,8 @@ mod store;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use glam::DMat3;
+
 pub use self::cast::GridCaster;
 use self::samples::GridSamples;
 use self::scene::GridScene;
@@ -231,6 +233,11 @@ impl Renderer for GridRenderer {
 
 /// The voxels that reach into a box of data space.
 fn clipped_part(grid: &Grid, bounds: &Bounds) -> Result<VoxelBox> {
+    if grid.turn != DMat3::IDENTITY {
+        return Err(Error::Asked(
+            "a clipping box is parallel to the axes, and this grid is turned: leave out --clip".into(),
+        ));
+    }
     let in_mesh = Bounds { min: grid.mesh_from_data(bounds.min), max: grid.mesh_from_data(bounds.max) };
     let part = grid.voxels_in(&in_mesh);
     if part.count() > 0 {

@@ -35,7 +35,7 @@ impl Lens {
         let near = camera.near_depth(mesh.bounds_in_data().diagonal()) / mesh.data_per_mesh();
         Self {
             eye: mesh.mesh_from_data(camera.eye),
-            basis: camera.basis(),
+            basis: mesh.basis_in_mesh(camera),
             perspective,
             // Nothing is seen behind the eye, whatever was asked.
             near: if perspective { near.max(0.0) } else { near },

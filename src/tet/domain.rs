@@ -1,8 +1,9 @@
 //! What cameras, scenes and reports need of a mesh, however its cells are held.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::{JointHistogram, TetMesh};
+use crate::scene::{Basis, Camera};
 use crate::space::{Bounds, Interval};
 
 /// A field over tetrahedra, and where they lie. Mesh space is explained at [`TetMesh`].
@@ -12,6 +13,11 @@ pub trait Domain {
 
     /// Length of a mesh-space unit in data units.
     fn data_per_mesh(&self) -> f64;
+
+    /// Mesh space's axes in data space, a rotation: of grids that are turned.
+    fn turn(&self) -> DMat3 {
+        DMat3::IDENTITY
+    }
 
     /// The bounding box, mesh space.
     fn bounds(&self) -> Bounds;
@@ -36,14 +42,20 @@ pub trait Domain {
 
     /// The bounding box, data space.
     fn bounds_in_data(&self) -> Bounds {
-        let b = self.bounds();
-        let data_from_mesh = |p: DVec3| self.center_in_data() + self.data_per_mesh() * p;
-        Bounds { min: data_from_mesh(b.min), max: data_from_mesh(b.max) }
+        let data_from_mesh = |p: DVec3| self.center_in_data() + self.data_per_mesh() * (self.turn() * p);
+        Bounds::of(self.bounds().corners().map(data_from_mesh))
     }
 
     /// Data space to mesh space.
     fn mesh_from_data(&self, p: DVec3) -> DVec3 {
-        (p - self.center_in_data()) / self.data_per_mesh()
+        self.turn().transpose() * (p - self.center_in_data()) / self.data_per_mesh()
+    }
+
+    /// A camera's axes, in mesh space.
+    fn basis_in_mesh(&self, camera: &Camera) -> Basis {
+        let turned = |axis| self.turn().transpose() * axis;
+        let Basis { right, up, forward } = camera.basis();
+        Basis { right: turned(right), up: turned(up), forward: turned(forward) }
     }
 }
 

@@ -1,13 +1,13 @@
 //! Structured grids whose tetrahedra are implied: five a voxel, as [`super::HexSplit::FiveAlternating`] cuts them.
 
-use glam::{DVec3, USizeVec3};
+use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 
 use super::build::{Frame, note_text};
 use super::cells::Cells;
 use super::field::Field;
 use super::split::split_in_five;
-use super::{Domain, FieldChoice, JointHistogram, TetMesh};
+use super::{Domain, FieldChoice, JointHistogram};
 use crate::error::{Error, Result};
 use crate::mesh::{Mesh, Topology};
 use crate::space::{Bounds, Interval};
@@ -15,7 +15,7 @@ use crate::space::{Bounds, Interval};
 /// What else takes a mesh that is no such grid.
 const INSTEAD: &str = "render with --order centroid or per-pixel, or --method raycast, which take any mesh";
 
-/// A lattice of samples parallel to the axes; nothing is held of a tetrahedron.
+/// A lattice of samples; nothing is held of a tetrahedron. Mesh space is parallel to it, and turned where it is.
 ///
 /// Places, values and gradients are those of the [`TetMesh`] that five tetrahedra a voxel make of the same mesh.
 #[derive(Clone, Debug)]
@@ -24,8 +24,10 @@ pub struct Grid {
     pub points: [usize; 3],
     /// Where they are along each axis, mesh space; rising or falling.
     pub places: [Vec<f64>; 3],
-    /// Centre of the bounding box in data space.
+    /// The lattice's middle, in data space.
     pub center_in_data: DVec3,
+    /// The lattice's axes, in data space: a rotation.
+    pub turn: DMat3,
     /// Length of a mesh-space unit in data units; a power of two.
     pub data_per_mesh: f64,
     /// The scalar at each sample, data units, x fastest. All finite.
@@ -70,8 +72,8 @@ impl VoxelBox {
 }
 
 impl Grid {
-    /// Whether a mesh can be taken: a structured grid without blanks, whose points are a lattice parallel to the axes
-    /// (its planes may lie at uneven distances).
+    /// Whether a mesh can be taken: a structured grid without blanks, whose points are a lattice of right angles (its planes
+    /// may lie at uneven distances).
     ///
     /// # Errors
     /// [`Error::Asked`] with what stands against it, and what takes such a mesh.
@@ -84,11 +86,12 @@ impl Grid {
     /// # Errors
     /// As [`Grid::check`]; [`Error::Asked`] where there is no such field, or where it is not finite everywhere.
     pub fn new(mesh: Mesh, choice: &FieldChoice) -> Result<(Self, Vec<String>)> {
-        let (points, places) = lattice(&mesh)?;
+        let Lattice { points, turn, places } = lattice(&mesh)?;
         let Mesh { points: positions, topology, arrays, available, notes } = mesh;
         let count = positions.len();
-        let frame = Frame::of(Bounds::of([positions[0], positions[count - 1]]))?;
         drop(positions);
+        let end = |of: fn(&Vec<f64>) -> f64| DVec3::from_array([0, 1, 2].map(|axis| of(&places[axis])));
+        let frame = Frame::of(Bounds::of([end(|p| p[0]), end(|p| p[p.len() - 1])]))?;
         let field = Field::select(arrays, &available, choice, &Cells::new(&topology, count)?, count)?;
         let bad = field.values.par_iter().filter(|v| !v.is_finite()).count();
         if bad > 0 || field.unusable.contains(&true) {
@@ -102,7 +105,8 @@ impl Grid {
         let mut grid = Self {
             points,
             places: [0, 1, 2].map(|axis| places[axis].iter().map(in_mesh(axis)).collect()),
-            center_in_data: frame.center,
+            center_in_data: turn * frame.center,
+            turn,
             data_per_mesh: frame.data_per_mesh,
             scalar_range: Interval::of(field.values.iter().copied()),
             gradient_range: Interval::EMPTY,
@@ -144,36 +148,6 @@ impl Grid {
             found.high[axis] = (0..self.voxels()[axis]).rfind(is_within).map_or(0, |last| last + 1);
         }
         found
-    }
-
-    /// Some voxels' tetrahedra, in this grid's mesh space and with its values: none is cut off at the box.
-    pub fn tets_of(&self, part: &VoxelBox) -> TetMesh {
-        let points: [usize; 3] = std::array::from_fn(|axis| part.high[axis] - part.low[axis] + 1);
-        let at = |i: usize| {
-            let own = [i % points[0], i / points[0] % points[1], i / points[0] / points[1]];
-            USizeVec3::from_array(own) + USizeVec3::from_array(part.low)
-        };
-        let vertices = || (0..points.iter().product()).map(at);
-        let voxels = points.map(|n| n - 1);
-        let mut tets = Vec::with_capacity(5 * part.count());
-        let flips = self.places.iter().filter(|p| p[1] < p[0]).count() % 2 == 1;
-        for voxel in 0..part.count() {
-            let [i, j, k] = [voxel % voxels[0], voxel / voxels[0] % voxels[1], voxel / voxels[0] / voxels[1]];
-            let odd = (i + j + k + part.low.iter().sum::<usize>()) % 2 == 1;
-            let base = i + points[0] * (j + points[1] * k);
-            let pieces = split_in_five(&hexahedron(base, points), odd);
-            tets.extend(pieces.as_slice().iter().map(|&[a, b, c, d]| if flips { [a, b, d, c] } else { [a, b, c, d] }));
-        }
-        let sample = |p: USizeVec3| self.sample(p.to_array());
-        TetMesh {
-            vertices: vertices().map(|p| self.place(p.to_array())).collect(),
-            center_in_data: self.center_in_data,
-            data_per_mesh: self.data_per_mesh,
-            tets: tets.into(),
-            scalar: vertices().map(|p| self.scalar[sample(p)]).collect(),
-            gradient_magnitude: vertices().map(|p| self.gradient_magnitude[sample(p)]).collect(),
-            field: self.field.clone(),
-        }
     }
 
     fn place(&self, [i, j, k]: [usize; 3]) -> DVec3 {
@@ -265,6 +239,10 @@ impl Domain for Grid {
         self.data_per_mesh
     }
 
+    fn turn(&self) -> DMat3 {
+        self.turn
+    }
+
     fn bounds(&self) -> Bounds {
         Bounds::of([self.place([0; 3]), self.place(self.voxels())])
     }
@@ -301,10 +279,23 @@ fn hexahedron(base: usize, points: [usize; 3]) -> [u32; 8] {
     [0, 1, 1 + row, row, layer, layer + 1, layer + 1 + row, layer + row].map(|step| (base + step) as u32)
 }
 
-/// Samples and places along each axis (data space).
-fn lattice(mesh: &Mesh) -> Result<([usize; 3], [Vec<f64>; 3])> {
+/// What a mesh's points are.
+struct Lattice {
+    /// Samples along each axis.
+    points: [usize; 3],
+    /// Its axes, in data space: a rotation.
+    turn: DMat3,
+    /// Along these.
+    places: [Vec<f64>; 3],
+}
+
+/// Points may lie so far from where the lattice has them, of its size: what f32 moves a coordinate by.
+const STRAY: f64 = 1e-7;
+
+/// Of a mesh that is one.
+fn lattice(mesh: &Mesh) -> Result<Lattice> {
     let no = |why: String| {
-        Err(Error::Asked(format!("a structured order takes grids parallel to the axes, and {why}: {INSTEAD}")))
+        Err(Error::Asked(format!("a structured order takes grids of right angles, and {why}: {INSTEAD}")))
     };
     let Topology::Structured { points, blank } = &mesh.topology else {
         return no("this mesh has explicit cells".into());
@@ -314,22 +305,43 @@ fn lattice(mesh: &Mesh) -> Result<([usize; 3], [Vec<f64>; 3])> {
     if blank.contains(&true) {
         return no("this one has blanked points".into());
     }
-    let [nx, ny, nz] = *points;
-    let places = [
-        (0..nx).map(|i| mesh.points[i].x).collect::<Vec<_>>(),
-        (0..ny).map(|j| mesh.points[nx * j].y).collect(),
-        (0..nz).map(|k| mesh.points[nx * ny * k].z).collect(),
-    ];
-    let is_off =
-        |(i, p): (usize, &DVec3)| *p != DVec3::new(places[0][i % nx], places[1][i / nx % ny], places[2][i / nx / ny]);
+    let [nx, ny, _] = *points;
+    let strides = [1, nx, nx * ny];
+    let ends = [0, 1, 2].map(|axis| mesh.points[strides[axis] * (points[axis] - 1)] - mesh.points[0]);
+    let turn = turn_of(ends);
+    let straight = |axis: usize| {
+        let step = move |i: usize| mesh.points[strides[axis] * i];
+        (0..points[axis]).map(|i| turn.col(axis).dot(step(i))).collect::<Vec<f64>>()
+    };
+    let places = [0, 1, 2].map(straight);
+    let most = if turn == DMat3::IDENTITY { 0.0 } else { STRAY * ends.iter().map(|end| end.length()).sum::<f64>() };
+    let is_off = |(i, p): (usize, &DVec3)| {
+        let place = DVec3::new(places[0][i % nx], places[1][i / nx % ny], places[2][i / nx / ny]);
+        // Phrased so that NaN is.
+        !((turn * place - *p).abs().max_element() <= most)
+    };
     if mesh.points.par_iter().enumerate().any(is_off) {
-        return no("this one is turned or curved".into());
+        return no("this one is sheared or curved".into());
     }
-    for (axis, places) in ["x", "y", "z"].iter().zip(&places) {
+    for (axis, places) in ["first", "second", "third"].iter().zip(&places) {
         let rises = places[1] > places[0];
         if !places.windows(2).all(|pair| pair[0] != pair[1] && (pair[1] > pair[0]) == rises) {
-            return no(format!("the points of this one neither only rise nor only fall along {axis}"));
+            return no(format!("the points of this one neither only rise nor only fall along the {axis} axis"));
         }
     }
-    Ok((*points, places))
+    Ok(Lattice { points: *points, turn, places })
+}
+
+/// The rotation to axes along three vectors, or against them; the identity, exactly, where they lie along x, y and z.
+fn turn_of(ends: [DVec3; 3]) -> DMat3 {
+    if ends
+        .iter()
+        .zip(DMat3::IDENTITY.to_cols_array_2d())
+        .all(|(end, axis)| end.cross(DVec3::from_array(axis)) == DVec3::ZERO)
+    {
+        return DMat3::IDENTITY;
+    }
+    let first = ends[0].normalize_or_zero();
+    let second = (ends[1] - ends[1].dot(first) * first).normalize_or_zero();
+    DMat3::from_cols(first, second, first.cross(second))
 }

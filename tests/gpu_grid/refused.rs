@@ -36,8 +36,8 @@ fn other_meshes_are_refused() {
     for (mesh, why) in [
         (changed(&cells), "explicit cells"),
         (changed(&blank), "blanked"),
-        (changed(&|mesh| mesh.points[9].y += 1e-9), "turned or curved"),
-        (changed(&|mesh| mesh.points.iter_mut().for_each(|p| p.x = (p.x - 1.0).abs())), "along x"),
+        (changed(&|mesh| mesh.points[9].y += 1e-9), "sheared or curved"),
+        (changed(&|mesh| mesh.points.iter_mut().for_each(|p| p.x = (p.x - 1.0).abs())), "along the first axis"),
     ] {
         let error = Grid::check(&mesh).expect_err(why);
         let text = error.to_string();
@@ -130,5 +130,5 @@ fn the_command_line_tells_what_to_do() {
         assert!(code == 0 && text.contains("in the grid") == is_grid, "{more:?}: {code}: {text}");
     }
     let (code, text) = on("software", &fire, &["--clip", "0,0,0,1,1,1"]);
-    assert!(code == 2 && text.contains("--clip takes a grid"), "{code}: {text}");
+    assert!(code == 2 && text.contains("--clip takes a rectilinear grid"), "{code}: {text}");
 }
