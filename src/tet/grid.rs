@@ -94,10 +94,15 @@ impl Grid {
         let frame = Frame::of(Bounds::of([end(|p| p[0]), end(|p| p[p.len() - 1])]))?;
         let field = Field::select(arrays, &available, choice, &Cells::new(&topology, count)?, count)?;
         let bad = field.values.par_iter().filter(|v| !v.is_finite()).count();
-        if bad > 0 || field.unusable.contains(&true) {
+        let unusable = field.unusable.iter().filter(|&&unusable| unusable).count();
+        if bad > 0 || unusable > 0 {
+            let (bad, all, what) = match unusable {
+                0 => (bad, count, "samples"),
+                cells => (cells, field.unusable.len(), "cells"),
+            };
             return Err(Error::Asked(format!(
-                "a structured order takes fields that are finite everywhere, and {:?} is not at {bad} of {count} \
-                 samples: {INSTEAD}",
+                "a structured order takes fields that are finite everywhere, and {:?} is not at {bad} of {all} {what}: \
+                 {INSTEAD}",
                 field.name
             )));
         }

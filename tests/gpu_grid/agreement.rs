@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use glam::DVec3;
+use tetralux::gpu::RayCaster;
 use tetralux::image::Comparison;
 use tetralux::mesh::Mesh;
-use tetralux::renderer::Settings;
-use tetralux::scene::{Camera, Projection, TransferFunction};
+use tetralux::renderer::{Frame, OrderMethod, Renderer, Settings};
+use tetralux::scene::{Camera, EmissionModel, Optics, Projection, TransferFunction};
 use tetralux::tet::{Domain as _, Grid, TetMesh, VoxelBox};
 
 use crate::grids::{
@@ -184,15 +185,28 @@ fn a_clipped_grid_is_the_grid_of_its_voxels() {
 #[test]
 fn integrals_are_those_of_meshes() {
     let (grid, mesh) = both(&lattice([5, 5, 5], DVec3::ZERO, DVec3::splat(0.4), waves));
-    let transfer = univariate(&grid);
     let camera = octants(&grid, PERSPECTIVE)[6];
-    for integral in ["partial-direct", "mean-scalar", "segmented:4"] {
-        let integral = integral.parse().expect("an integral");
-        let settings = Settings { integral, ..STRUCTURED };
-        let got = draw(&mut renderer(&grid, settings), &camera, &transfer, SIZE);
-        let order = tetralux::renderer::OrderMethod::PerPixel;
-        let mut held = crate::common::gpu::renderer(&mesh, Settings { order, ..settings });
-        assert_agree(&got.image, &draw(&mut held, &camera, &transfer, SIZE).image, MOST, &format!("{integral}"));
+    let (curve, widgets) = (univariate(&grid), bivariate(&grid));
+    let weighted = EmissionModel::Weighted;
+    for (integral, transfer, emission) in [
+        ("partial-direct", &curve, weighted),
+        ("mean-scalar", &curve, weighted),
+        ("preintegrated", &curve, weighted),
+        ("segmented:4", &widgets, weighted),
+        ("analytic", &widgets, weighted),
+        ("partial", &curve, EmissionModel::Unweighted),
+    ] {
+        let settings = Settings { integral: integral.parse().expect("an integral"), ..STRUCTURED };
+        let optics = Optics { emission, ..Optics::PLAIN };
+        let frame = Frame { camera: &camera, transfer, optics: &optics, size: SIZE, background: [0.1, 0.2, 0.3, 1.0] };
+        let drawn =
+            |renderer: &mut dyn Renderer| renderer.render(&frame, false).unwrap_or_else(|e| panic!("{e}")).image;
+        let got = drawn(&mut renderer(&grid, settings));
+        let mut held = crate::common::gpu::renderer(&mesh, Settings { order: OrderMethod::PerPixel, ..settings });
+        let what = format!("{integral}, {emission:?}");
+        assert_agree(&got, &drawn(&mut held), MOST, &what);
+        let mut held = RayCaster::new(crate::common::gpu::device(), mesh.clone(), settings).expect("a caster");
+        assert_agree(&drawn(&mut caster(&grid, settings)), &drawn(&mut held), MOST, &format!("{what}, rays"));
     }
 }
 

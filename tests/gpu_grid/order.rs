@@ -5,10 +5,10 @@ use tetralux::plan::order::{Inversions, VisibilityOrder, sample_cameras};
 use tetralux::plan::voxels;
 use tetralux::renderer::Settings;
 use tetralux::scene::{Camera, Projection};
-use tetralux::tet::Adjacency;
+use tetralux::tet::{Adjacency, Domain as _};
 
 use crate::common::rainbow::rainbow;
-use crate::grids::{PERSPECTIVE, STRUCTURED, bivariate, both, draw, lattice, octants, renderer, waves};
+use crate::grids::{PERSPECTIVE, STRUCTURED, bivariate, both, camera, draw, lattice, octants, renderer, waves};
 
 #[test]
 fn no_neighbours_are_in_the_wrong_order() {
@@ -51,11 +51,17 @@ fn cells_are_drawn_as_the_host_orders_them() {
     let mut renderer = renderer(&grid, Settings { cull: false, ..STRUCTURED });
     let mut cameras = octants(&grid, PERSPECTIVE);
     cameras.extend(octants(&grid, Projection::Orthographic { height: 4.0 }));
+    let mut views: Vec<(Camera, usize)> = cameras.iter().step_by(3).map(|&c| (c, mesh.tets.len() * 3 / 4)).collect();
+    // Within, and on a plane of samples: voxels lie on both sides.
+    let (bounds, wide) = (grid.bounds_in_data(), Projection::Perspective { fov_y: 1.9 });
+    for at in [DVec3::new(1.53, -1.31, 1.7), DVec3::new(1.6, -1.31, 1.7)] {
+        views.push((camera(bounds.min + at * DVec3::new(1.0, -1.0, 1.0), bounds.center(), wide), mesh.tets.len() / 20));
+    }
     for transfer in [rainbow(&mesh, 5, 3.0), bivariate(&grid)] {
-        for camera in cameras.iter().step_by(3) {
+        for (camera, least) in &views {
             draw(&mut renderer, camera, &transfer, [160, 160]);
             let drawn = renderer.order().expect("an order");
-            assert!(drawn.len() > mesh.tets.len() * 3 / 4, "{} of {}", drawn.len(), mesh.tets.len());
+            assert!(drawn.len() > *least, "{} of {}", drawn.len(), mesh.tets.len());
             let order = voxels::order(&grid, camera);
             assert_eq!(out_of_order(&drawn, &order), None);
             let mut planted = drawn.clone();

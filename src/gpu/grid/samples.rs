@@ -35,7 +35,11 @@ impl GridSamples {
     pub fn new(gpu: &Gpu, grid: &Grid) -> Result<Self> {
         let bricks_along = grid.voxels().map(|n| n.div_ceil(BRICK));
         let count = grid.scalar.len() as u64;
-        if count * 4 > gpu.max_binding || bricks_along.iter().any(|&n| n > MOST_ALONG) {
+        // Tetrahedra are numbered in 32 bits.
+        if count * 4 > gpu.max_binding
+            || grid.tet_count() > u64::from(u32::MAX)
+            || bricks_along.iter().any(|&n| n > MOST_ALONG)
+        {
             let [x, y, z] = grid.points;
             return Err(Error::Device(format!(
                 "a grid of {x} x {y} x {z} samples is {} MiB; '{}' binds {} MiB at once, and {} voxels are drawn along \
