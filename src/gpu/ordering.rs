@@ -78,6 +78,8 @@ impl Ordering {
         frame: &Frame<'_>,
         near: Option<(&NearCut, Pieces)>,
     ) -> Result<Keys> {
+        // Where all that is clipped lies outside the picture, no piece is left, and no room was made for any.
+        let near = near.filter(|(cut, _)| !cut.tets.is_empty());
         match (method, near) {
             (OrderMethod::Power, None) => {
                 if store.needs_power_rows() {

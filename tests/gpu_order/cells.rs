@@ -5,6 +5,7 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
+use tetralux::plan::near;
 use tetralux::plan::order::Inversions;
 use tetralux::renderer::{Frame, OrderMethod, Renderer as _, Settings, SortPlace};
 use tetralux::scene::{
@@ -16,7 +17,7 @@ use crate::common::boxes::{box_mesh, tet_mesh};
 use crate::common::gpu::{self, assert_same_bits};
 use crate::common::meshes;
 use crate::common::rainbow::rainbow;
-use crate::scenes::{Truth, along_z, cameras, cycle, mapped_delaunay, moved, plain, stretched};
+use crate::scenes::{SIZE, Truth, along_z, cameras, cycle, mapped_delaunay, moved, plain, stretched};
 
 fn by(order: OrderMethod) -> Settings {
     Settings { order, ..gpu::by_centroids() }
@@ -171,6 +172,37 @@ fn frames_in_any_succession_are_the_same() {
             let again = gpu::draw(&mut kept, &views[i], &transfer, [96, 64]).image;
             assert_same_bits(&again, &fresh, &format!("{order}, view {i}"));
         }
+    }
+}
+
+/// Cells behind the eye and beside the picture are clipped, and none has pieces: ranks end with the mesh.
+#[test]
+fn cells_that_are_clipped_without_pieces_leave_the_others_in_order() {
+    let mesh = mapped_delaunay(DMat3::IDENTITY);
+    let transfer = rainbow(&mesh, 20, 10.0);
+    let oracle = Oracle::new(mesh.clone());
+    let (center, diagonal) = meshes::center_and_diagonal(&mesh);
+    let whole = cameras(&mesh)[0];
+    let ahead = |eye: DVec3, direction: DVec3| Camera { eye, target: eye + diagonal * direction, ..whole };
+    // The cube's far side is seen past a corner; what is behind and beside the eye is not.
+    let past = ahead(center + diagonal * DVec3::new(-0.45, 0.0, -0.23), DVec3::Z);
+    let behind = ahead(whole.eye, whole.eye - whole.target);
+    let beside = ahead(center + diagonal * DVec3::X, DVec3::Z);
+    for view in [&past, &behind, &beside] {
+        let cut = near::cut(&mesh, view, f64::from(SIZE[0]) / f64::from(SIZE[1])).expect("clipped cells");
+        assert!(cut.tets.is_empty(), "{} pieces", cut.tets.len());
+    }
+    let [truth, truth_past] = [&whole, &past].map(|view| Truth::new(&oracle, &mesh, plain(view, &transfer)));
+    for order in [OrderMethod::Exact, OrderMethod::Mpvonc, OrderMethod::Power] {
+        let mut renderer = gpu::renderer(&mesh, by(order));
+        truth_past.assert_drawn(&format!("{order}, past a corner"), &mut renderer);
+        for nothing in [&behind, &beside] {
+            let frame = plain(nothing, &transfer);
+            let image = renderer.render(&frame, false).unwrap_or_else(|e| panic!("{order}: {e}")).image;
+            assert!(image.pixels.iter().all(|&p| p == frame.background), "{order}: nothing is there");
+        }
+        truth.assert_drawn(&format!("{order}, the whole mesh"), &mut renderer);
+        truth_past.assert_drawn(&format!("{order}, past a corner again"), &mut renderer);
     }
 }
 
