@@ -9,7 +9,8 @@ use tetralux::plan::near;
 use tetralux::plan::order::Inversions;
 use tetralux::renderer::{Frame, OrderMethod, Renderer as _, Settings, SortPlace};
 use tetralux::scene::{
-    Camera, Curve, CurveNode, EmissionModel, Optics, Projection, TransferFunction, Widget, WidgetShape,
+    Camera, Curve, CurveNode, EmissionModel, LightSpace, Lighting, Optics, Projection, TransferFunction, Widget,
+    WidgetShape,
 };
 use tetralux::tet::{Adjacency, TetMesh};
 
@@ -133,7 +134,9 @@ fn counted_inversions_are_those_of_the_drawn_cells() {
 fn auto_takes_what_the_scene_needs() {
     let (regular, other) = (mapped_delaunay(DMat3::IDENTITY), moved());
     let thick = |mesh: &TetMesh| rainbow(mesh, 20, 10.0);
-    let thin = |mesh: &TetMesh| rainbow(mesh, 20, 0.04);
+    // Of which no order changes more than 1/512, and of which one might: at most ten times as deep.
+    let thin = |mesh: &TetMesh| rainbow(mesh, 20, 0.0095);
+    let thicker = |mesh: &TetMesh| rainbow(mesh, 20, 0.0097);
     let gold = |mesh: &TetMesh| {
         let (range, (_, diagonal)) = (mesh.scalar_range(), meshes::center_and_diagonal(mesh));
         let node = |scalar, depth: f64| CurveNode { scalar, color: [0.9, 0.6, 0.3], extinction: depth / diagonal };
@@ -144,10 +147,22 @@ fn auto_takes_what_the_scene_needs() {
         TransferFunction::Widgets(vec![Widget::new(WidgetShape::Uniform, [0.9, 0.6, 0.3], depth)])
     };
     let unweighted = Optics { emission: EmissionModel::Unweighted, ..Optics::PLAIN };
+    let lighting = Lighting {
+        direction: DVec3::Z,
+        space: LightSpace::View,
+        ambient: 0.3,
+        diffuse: 0.6,
+        specular: 0.2,
+        shininess: 8.0,
+    };
+    let lit = Optics { lighting: Some(lighting), ..Optics::PLAIN };
     for (what, mesh, transfer, optics, want) in [
         ("thick, regular", &regular, thick(&regular), &Optics::PLAIN, "power: "),
         ("thick, not regular", &other, thick(&other), &Optics::PLAIN, "per-pixel: "),
         ("thin", &other, thin(&other), &Optics::PLAIN, "centroid: "),
+        ("less thin", &other, thicker(&other), &Optics::PLAIN, "per-pixel: "),
+        ("thin, lit", &other, thin(&other), &lit, "per-pixel: "),
+        ("thin, unweighted", &other, thin(&other), &unweighted, "per-pixel: "),
         ("one colour", &other, gold(&other), &Optics::PLAIN, "centroid: "),
         ("one widget", &other, widget(&other), &Optics::PLAIN, "centroid: "),
         ("one colour, unweighted", &other, widget(&other), &unweighted, "per-pixel: "),
