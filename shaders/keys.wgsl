@@ -2,8 +2,8 @@
 #import shared/range
 #import shared/bands
 
-// Lists the surviving cells, or their spans, with their sort keys, far cells first: the view depth of the centroid, the power
-// of the eye (plan/order/power.rs), or a rank that the host found.
+// Lists the surviving cells, or their spans, with their sort keys, far cells first: the view depth of the centroid, the
+// power of the eye (plan/order/power.rs), or a rank that the host found.
 
 @group(1) @binding(0) var<storage, read> tets: array<vec4u>; // of the range
 @group(1) @binding(1) var<storage, read> vertices: array<vec4f>;

@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::gpu::device::Gpu;
 use crate::gpu::store::{Pieces, Store};
 use crate::plan::near::NearCut;
-use crate::plan::order::{self, Inversions, PowerOrder, Sequenced};
+use crate::plan::order::{self, Inversions, PowerCensus, PowerOrder, Sequenced};
 use crate::renderer::{Frame, OrderChoice, OrderMethod};
 use crate::scene::Camera;
 use crate::tet::{Adjacency, TetMesh};
@@ -35,7 +35,10 @@ impl Keys {
 /// What is known of a mesh's order, found when first needed.
 #[derive(Default)]
 pub struct Ordering {
+    /// The mesh's, data units.
+    diagonal: OnceCell<f64>,
     adjacency: OnceCell<Adjacency>,
+    census: OnceCell<PowerCensus>,
     power: OnceCell<PowerOrder>,
     /// Of what the device's ranks are.
     ranked: Option<Ranked>,
@@ -55,14 +58,18 @@ impl Ordering {
         self.adjacency.get_or_init(|| Adjacency::new(mesh))
     }
 
+    fn census(&self, mesh: &TetMesh) -> &PowerCensus {
+        self.census.get_or_init(|| PowerCensus::new(mesh, self.adjacency(mesh)))
+    }
+
     fn power(&self, mesh: &TetMesh) -> &PowerOrder {
-        self.power.get_or_init(|| PowerOrder::new(mesh, self.adjacency(mesh)))
+        self.power.get_or_init(|| PowerOrder::new(mesh, &self.census(mesh).metric))
     }
 
     /// The order of a frame, and why.
     pub fn choose(&self, mesh: &TetMesh, asked: OrderMethod, frame: &Frame<'_>) -> OrderChoice {
-        let census = || &self.power(mesh).census;
-        OrderChoice::new(asked, frame.transfer, frame.optics, mesh.bounds_in_data().diagonal(), census)
+        let diagonal = *self.diagonal.get_or_init(|| mesh.bounds_in_data().diagonal());
+        OrderChoice::new(asked, frame.transfer, frame.optics, diagonal, || self.census(mesh))
     }
 
     /// Puts on the device what keys are made of.
@@ -78,6 +85,8 @@ impl Ordering {
         frame: &Frame<'_>,
         near: Option<(&NearCut, Pieces)>,
     ) -> Result<Keys> {
+        // Where all that is clipped lies outside the picture, no piece is left, and no room was made for any.
+        let near = near.filter(|(cut, _)| !cut.tets.is_empty());
         match (method, near) {
             (OrderMethod::Power, None) => {
                 if store.needs_power_rows() {

@@ -1,5 +1,7 @@
 //! Where rays may enter a mesh: its boundary faces, in the tiles of a picture.
 
+use std::collections::HashSet;
+
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
@@ -45,19 +47,19 @@ pub fn of_ray(boundary: &Boundary, lens: &Lens, film: DVec2) -> Vec<Entry> {
 }
 
 impl<'a> BoundaryView<'a> {
-    /// Sorts the faces into the tiles, of so many pixels a side, of a picture. `around`: sides of the cells in which rays
-    /// begin anyway, which are left out.
+    /// Sorts the faces into the tiles, of so many pixels a side, of a picture. `around`: sides of the cells in which
+    /// rays begin anyway, which are left out.
     pub fn new(boundary: &'a Boundary, lens: &Lens, size: [u32; 2], side: u32, around: &[Side]) -> Self {
         let points: Vec<DVec3> = boundary.points.par_iter().with_min_len(1024).map(|&p| lens.view(p)).collect();
         let tiles = size.map(|n| n.div_ceil(side));
+        let around: HashSet<u32> = around.iter().map(|side| side.cell).collect();
         let boxes: Vec<Option<[u32; 4]>> = boundary
             .faces
             .par_iter()
             .with_min_len(256)
             .map(|face| {
                 let corners = face.points.map(|p| points[p as usize]);
-                let is_around = around.iter().any(|other| other.cell == face.side.cell);
-                if is_around || Triangle::new(corners, lens.perspective).surely_leaves() {
+                if around.contains(&face.side.cell) || Triangle::new(corners, lens.perspective).surely_leaves() {
                     return None;
                 }
                 tiles_of(corners, lens, size, side)
@@ -200,8 +202,8 @@ impl Triangle {
         self.leaves
     }
 
-    /// The depth where a ray enters, if it passes inside of all edges or not certainly outside: which one it is, the walk
-    /// decides with the signs that it has for edges.
+    /// The depth where a ray enters, if it passes inside of all edges or not certainly outside: which one it is, the
+    /// walk decides with the signs that it has for edges.
     fn entry_depth(&self, film: DVec2) -> Option<f64> {
         let weights = self.edges.map(|n| n.x * film.x + n.y * film.y + n.z);
         if (0..3).any(|i| weights[i] < -self.margins[i]) {

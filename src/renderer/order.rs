@@ -8,16 +8,19 @@ use crate::scene::{EmissionModel, Optics, TransferFunction};
 /// In which order cells are blended.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum OrderMethod {
-    /// The cheapest that the function, the mesh and its census allow.
+    /// What is right for every eye, as far as the function, the mesh and its census tell: [`OrderChoice::new`].
     #[default]
     Auto,
     /// View depth of the cell's centroid.
     Centroid,
-    /// Power of the eye to the cells of a regular mesh (Max, Hanrahan & Crawfis 1990): exact where the census says so.
+    /// Power of the eye to the cells of a regular mesh (Max, Hanrahan & Crawfis 1990): exact where the mesh is convex,
+    /// too, but for the rounding of keys to f32 (3e-6 of all neighbours of Delaunay meshes).
     Power,
-    /// Every cell after its neighbours behind it, on the host (Williams 1992): exact for convex meshes.
+    /// Every cell after its neighbours behind it, on the host (Williams 1992): exact for convex meshes where no cells
+    /// hide one another in a circle.
     Mpvonc,
-    /// The same, and across gaps along the picture's rays, on the host (after Cook, Max, Silva & Williams 2004).
+    /// The same, and across gaps along the picture's rays, on the host (after Cook, Max, Silva & Williams 2004): exact
+    /// where there are no circles and no parts that lie in each other.
     Exact,
     /// Each pixel's fragments by their own depth, whatever the order of cells: exact.
     PerPixel,
@@ -39,10 +42,8 @@ impl fmt::Display for OrderMethod {
     }
 }
 
-/// Up to this optical depth, of the mesh's diagonal at the function's largest extinction, the order by centroids is taken.
-///
-/// Measured there, with thin bands on a mesh with 46 % of its neighbours in the wrong order: no pixel errs by more than 5e-5.
-const THIN: f64 = 0.5;
+/// By how much the order of cells may change a channel before it has to be right: half of what 8 bits tell.
+const LEAST_CHANGE: f64 = 1.0 / 512.0;
 
 /// An order, and why it was taken.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -54,8 +55,11 @@ pub struct OrderChoice {
 }
 
 impl OrderChoice {
-    /// What was asked for; of `Auto` the cheapest that keeps pixels within 1/512. `diagonal`: of the mesh, data units;
-    /// `census` is asked only where it matters.
+    /// What was asked for; of `Auto`: by centroids where no order changes a pixel by more than 1/512 (in meshes whose
+    /// parts do not lie in each other); by powers where the census proves them; else pixel by pixel, though a cheaper
+    /// order may be right for one eye, which is known only when it has been tried.
+    ///
+    /// `diagonal`: of the mesh, data units; `census` is asked only where it matters.
     pub fn new<'a>(
         asked: OrderMethod,
         transfer: &TransferFunction,
@@ -76,11 +80,12 @@ impl OrderChoice {
             }
             other => return of(other, "asked for"),
         }
-        if has_one_color(transfer, optics) {
+        let change = largest_change(transfer, optics, diagonal);
+        if change == 0.0 {
             return of(OrderMethod::Centroid, "all is of one colour, so that no order matters");
         }
-        if largest_extinction(transfer) * diagonal <= THIN {
-            return of(OrderMethod::Centroid, "the function is so thin that the order hardly matters");
+        if change <= LEAST_CHANGE {
+            return of(OrderMethod::Centroid, "the function is so thin that no order changes more than 1/512");
         }
         if census().is_exact() {
             return of(OrderMethod::Power, "exact, as the mesh is regular and convex");
@@ -89,14 +94,34 @@ impl OrderChoice {
     }
 }
 
-/// Where a segment's colour is its opacity times one colour, segments may be exchanged.
-fn has_one_color(transfer: &TransferFunction, optics: &Optics) -> bool {
-    let plain = optics.emission == EmissionModel::Weighted && !optics.uses_gradients();
+/// How much of a channel any order of a ray's segments may change, at most.
+///
+/// Two neighbours of optical depths a and b, exchanged, change `(1 - e^-a) (1 - e^-b)` of the difference of their
+/// colours. Of a whole ray of depth d, worst is one colour before another, each half of the depth, turned around:
+/// `(1 - e^(-d / 2))^2` of the difference. (Any order moves colours along the depth as they are, and they are sums of
+/// layers from the front on: one of depth m changes at most `(1 - e^-m) (1 - e^(m - d))`.)
+///
+/// That takes segments whose colour is their opacity times a mean of the function's colours: weighted and unlit. Of
+/// others nothing is known.
+fn largest_change(transfer: &TransferFunction, optics: &Optics, diagonal: f64) -> f64 {
+    if optics.emission != EmissionModel::Weighted || optics.uses_gradients() {
+        return f64::INFINITY;
+    }
+    let half = -(-0.5 * largest_extinction(transfer) * diagonal).exp_m1();
+    largest_difference(transfer) * half * half
+}
+
+/// Of the function's colours, in any channel.
+fn largest_difference(transfer: &TransferFunction) -> f64 {
     let colors: Vec<[f64; 3]> = match transfer {
         TransferFunction::Curve(curve) => curve.nodes.iter().map(|node| node.color).collect(),
         TransferFunction::Widgets(widgets) => widgets.iter().map(|widget| widget.color).collect(),
     };
-    plain && colors.windows(2).all(|pair| pair[0] == pair[1])
+    let of_channel = |c: usize| {
+        let values = || colors.iter().map(|color| color[c]);
+        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
+    };
+    (0..3).map(of_channel).fold(0.0, f64::max)
 }
 
 /// At any point at most.
@@ -104,5 +129,70 @@ fn largest_extinction(transfer: &TransferFunction) -> f64 {
     match transfer {
         TransferFunction::Curve(curve) => curve.nodes.iter().map(|node| node.extinction).fold(0.0, f64::max),
         TransferFunction::Widgets(widgets) => widgets.iter().map(|widget| widget.extinction).sum(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Curve, CurveNode, Silhouette, SilhouetteMode};
+
+    /// Thin enough, or not, by these colours and this optical depth over the diagonal.
+    fn curve(colors: &[[f64; 3]], depth: f64) -> TransferFunction {
+        let node = |(scalar, &color): (u32, &[f64; 3])| CurveNode { scalar: scalar.into(), color, extinction: depth };
+        TransferFunction::Curve(Curve { nodes: (0..).zip(colors).map(node).collect() })
+    }
+
+    const RED_BLUE: [[f64; 3]; 2] = [[1.0, 0.2, 0.0], [0.0, 0.2, 1.0]];
+
+    /// One channel of segments (optical depth, colour), front to back.
+    fn composed(segments: &[(f64, f64)]) -> f64 {
+        let add = |(sum, transmittance): (f64, f64), &(depth, color): &(f64, f64)| {
+            (sum + transmittance * -(-depth).exp_m1() * color, transmittance * (-depth).exp())
+        };
+        segments.iter().fold((0.0, 1.0), add).0
+    }
+
+    #[test]
+    fn no_order_changes_more_than_is_said_and_one_as_much() {
+        let mut state = 9_u64;
+        let mut unit = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 40) as f64 / f64::from(1 << 24)
+        };
+        for depth in [0.01, 0.09, 1.0, 10.0] {
+            let said = largest_change(&curve(&RED_BLUE, depth), &Optics::PLAIN, 1.0);
+            let change = |segments: &mut [(f64, f64)]| {
+                segments.sort_by(|a, b| a.1.total_cmp(&b.1));
+                let rising = composed(segments);
+                segments.reverse();
+                (composed(segments) - rising).abs()
+            };
+            for count in [2, 3, 10, 100] {
+                let mut segments: Vec<_> = (0..count).map(|_| (unit(), unit())).collect();
+                let sum: f64 = segments.iter().map(|s| s.0).sum();
+                segments.iter_mut().for_each(|s| s.0 *= depth / sum);
+                assert!(change(&mut segments) <= said, "{count} segments of depth {depth}");
+            }
+            let most = change(&mut [(0.5 * depth, 0.0), (0.5 * depth, 1.0)]);
+            assert!((most - said).abs() <= 1e-12 * said, "{most:e} of {said:e}");
+        }
+    }
+
+    #[test]
+    fn thin_functions_are_told_by_depth_color_and_light() {
+        let change = |transfer: &TransferFunction, optics: &Optics| largest_change(transfer, optics, 1.0);
+        let is_thin = |colors: &[[f64; 3]], depth| change(&curve(colors, depth), &Optics::PLAIN) <= LEAST_CHANGE;
+        assert!(is_thin(&RED_BLUE, 0.090) && !is_thin(&RED_BLUE, 0.091));
+        // Four times as bright: half as much of each half.
+        let bright = RED_BLUE.map(|color| color.map(|c| 4.0 * c));
+        assert!(is_thin(&bright, 0.044) && !is_thin(&bright, 0.045));
+        assert!(is_thin(&[[0.5; 3], [0.6; 3]], 0.3));
+        assert_eq!(change(&curve(&[[3.0; 3]; 2], 1e3), &Optics::PLAIN), 0.0);
+        let thin = curve(&RED_BLUE, 1e-6);
+        let silhouette = Silhouette { exponent: 1.0, strength: 0.5, mode: SilhouetteMode::Depth };
+        let outlined = Optics { silhouette: Some(silhouette), ..Optics::PLAIN };
+        let unweighted = Optics { emission: EmissionModel::Unweighted, ..Optics::PLAIN };
+        assert!([outlined, unweighted].iter().all(|optics| change(&thin, optics).is_infinite()));
     }
 }

@@ -67,6 +67,15 @@ impl Census {
             not_delaunay,
         }
     }
+
+    /// What [`TopologyCensus::is_convex`] asks but that no neighbours overlap, without looking at interior faces.
+    pub(crate) fn has_convex_boundary(mesh: &TetMesh, adjacency: &Adjacency) -> bool {
+        let is_clean = || {
+            let (non_manifold, reflex) = examine_boundary(mesh, adjacency, coordinate_rounding(mesh));
+            non_manifold.count == 0 && reflex.count == 0
+        };
+        adjacency.overfull_faces.count == 0 && count_components(adjacency) == 1 && is_clean()
+    }
 }
 
 /// How far off a coordinate stored as f32 may be, mesh space.

@@ -5,10 +5,12 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
+use tetralux::plan::near;
 use tetralux::plan::order::Inversions;
 use tetralux::renderer::{Frame, OrderMethod, Renderer as _, Settings, SortPlace};
 use tetralux::scene::{
-    Camera, Curve, CurveNode, EmissionModel, Optics, Projection, TransferFunction, Widget, WidgetShape,
+    Camera, Curve, CurveNode, EmissionModel, LightSpace, Lighting, Optics, Projection, TransferFunction, Widget,
+    WidgetShape,
 };
 use tetralux::tet::{Adjacency, TetMesh};
 
@@ -16,7 +18,7 @@ use crate::common::boxes::{box_mesh, tet_mesh};
 use crate::common::gpu::{self, assert_same_bits};
 use crate::common::meshes;
 use crate::common::rainbow::rainbow;
-use crate::scenes::{Truth, along_z, cameras, cycle, mapped_delaunay, moved, plain, stretched};
+use crate::scenes::{SIZE, Truth, along_z, cameras, cycle, mapped_delaunay, moved, plain, stretched};
 
 fn by(order: OrderMethod) -> Settings {
     Settings { order, ..gpu::by_centroids() }
@@ -132,7 +134,9 @@ fn counted_inversions_are_those_of_the_drawn_cells() {
 fn auto_takes_what_the_scene_needs() {
     let (regular, other) = (mapped_delaunay(DMat3::IDENTITY), moved());
     let thick = |mesh: &TetMesh| rainbow(mesh, 20, 10.0);
-    let thin = |mesh: &TetMesh| rainbow(mesh, 20, 0.04);
+    // Of which no order changes more than 1/512, and of which one might: at most ten times as deep.
+    let thin = |mesh: &TetMesh| rainbow(mesh, 20, 0.0095);
+    let thicker = |mesh: &TetMesh| rainbow(mesh, 20, 0.0097);
     let gold = |mesh: &TetMesh| {
         let (range, (_, diagonal)) = (mesh.scalar_range(), meshes::center_and_diagonal(mesh));
         let node = |scalar, depth: f64| CurveNode { scalar, color: [0.9, 0.6, 0.3], extinction: depth / diagonal };
@@ -143,10 +147,22 @@ fn auto_takes_what_the_scene_needs() {
         TransferFunction::Widgets(vec![Widget::new(WidgetShape::Uniform, [0.9, 0.6, 0.3], depth)])
     };
     let unweighted = Optics { emission: EmissionModel::Unweighted, ..Optics::PLAIN };
+    let lighting = Lighting {
+        direction: DVec3::Z,
+        space: LightSpace::View,
+        ambient: 0.3,
+        diffuse: 0.6,
+        specular: 0.2,
+        shininess: 8.0,
+    };
+    let lit = Optics { lighting: Some(lighting), ..Optics::PLAIN };
     for (what, mesh, transfer, optics, want) in [
         ("thick, regular", &regular, thick(&regular), &Optics::PLAIN, "power: "),
         ("thick, not regular", &other, thick(&other), &Optics::PLAIN, "per-pixel: "),
         ("thin", &other, thin(&other), &Optics::PLAIN, "centroid: "),
+        ("less thin", &other, thicker(&other), &Optics::PLAIN, "per-pixel: "),
+        ("thin, lit", &other, thin(&other), &lit, "per-pixel: "),
+        ("thin, unweighted", &other, thin(&other), &unweighted, "per-pixel: "),
         ("one colour", &other, gold(&other), &Optics::PLAIN, "centroid: "),
         ("one widget", &other, widget(&other), &Optics::PLAIN, "centroid: "),
         ("one colour, unweighted", &other, widget(&other), &unweighted, "per-pixel: "),
@@ -171,6 +187,37 @@ fn frames_in_any_succession_are_the_same() {
             let again = gpu::draw(&mut kept, &views[i], &transfer, [96, 64]).image;
             assert_same_bits(&again, &fresh, &format!("{order}, view {i}"));
         }
+    }
+}
+
+/// Cells behind the eye and beside the picture are clipped, and none has pieces: ranks end with the mesh.
+#[test]
+fn cells_that_are_clipped_without_pieces_leave_the_others_in_order() {
+    let mesh = mapped_delaunay(DMat3::IDENTITY);
+    let transfer = rainbow(&mesh, 20, 10.0);
+    let oracle = Oracle::new(mesh.clone());
+    let (center, diagonal) = meshes::center_and_diagonal(&mesh);
+    let whole = cameras(&mesh)[0];
+    let ahead = |eye: DVec3, direction: DVec3| Camera { eye, target: eye + diagonal * direction, ..whole };
+    // The cube's far side is seen past a corner; what is behind and beside the eye is not.
+    let past = ahead(center + diagonal * DVec3::new(-0.45, 0.0, -0.23), DVec3::Z);
+    let behind = ahead(whole.eye, whole.eye - whole.target);
+    let beside = ahead(center + diagonal * DVec3::X, DVec3::Z);
+    for view in [&past, &behind, &beside] {
+        let cut = near::cut(&mesh, view, f64::from(SIZE[0]) / f64::from(SIZE[1])).expect("clipped cells");
+        assert!(cut.tets.is_empty(), "{} pieces", cut.tets.len());
+    }
+    let [truth, truth_past] = [&whole, &past].map(|view| Truth::new(&oracle, &mesh, plain(view, &transfer)));
+    for order in [OrderMethod::Exact, OrderMethod::Mpvonc, OrderMethod::Power] {
+        let mut renderer = gpu::renderer(&mesh, by(order));
+        truth_past.assert_drawn(&format!("{order}, past a corner"), &mut renderer);
+        for nothing in [&behind, &beside] {
+            let frame = plain(nothing, &transfer);
+            let image = renderer.render(&frame, false).unwrap_or_else(|e| panic!("{order}: {e}")).image;
+            assert!(image.pixels.iter().all(|&p| p == frame.background), "{order}: nothing is there");
+        }
+        truth.assert_drawn(&format!("{order}, the whole mesh"), &mut renderer);
+        truth_past.assert_drawn(&format!("{order}, past a corner again"), &mut renderer);
     }
 }
 

@@ -1,7 +1,7 @@
 //! What an order is, and that wrong ones are seen.
 
 use glam::DVec3;
-use tetralux::plan::order::{PowerOrder, VisibilityOrder, sample_cameras};
+use tetralux::plan::order::{Metric, PowerOrder, VisibilityOrder, sample_cameras};
 use tetralux::tet::Adjacency;
 
 use crate::common::boxes::tet_mesh;
@@ -35,7 +35,7 @@ fn lists_that_are_no_permutation_are_refused() {
 fn one_reversed_pair_is_one_inversion() {
     let mesh = delaunay(1);
     let adjacency = Adjacency::new(&mesh);
-    let power = PowerOrder::new(&mesh, &adjacency);
+    let power = PowerOrder::new(&mesh, &Metric::IDENTITY);
     for camera in sample_cameras(&mesh, 6) {
         let order = power.order(&mesh, &camera);
         let right = order.inversions(&mesh, &adjacency, &camera);

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use tetralux::mesh::synth::Sample;
 use tetralux::plan::order::{
-    Inversions, PowerOrder, Sequenced, VisibilityOrder, centroid_depth, exact, mpvonc, sample_cameras,
+    Inversions, PowerCensus, PowerOrder, Sequenced, VisibilityOrder, centroid_depth, exact, mpvonc, sample_cameras,
 };
 use tetralux::scene::Camera;
 use tetralux::tet::{Adjacency, TetMesh};
@@ -21,8 +21,9 @@ fn measure(name: &str, mesh: &TetMesh, cameras: usize) {
     let adjacency = Adjacency::new(mesh);
     println!("{name}: {} cells, adjacency {:.0?}", mesh.tets.len(), start.elapsed());
     let start = Instant::now();
-    let power = PowerOrder::new(mesh, &adjacency);
-    println!("power rows {:.0?}\n{}", start.elapsed(), power.census);
+    let census = PowerCensus::new(mesh, &adjacency);
+    let power = PowerOrder::new(mesh, &census.metric);
+    println!("census and power rows {:.0?}\n{census}", start.elapsed());
     let keyed = |order| Sequenced { order, cycles: 0 };
     let orders: [(&str, Maker<'_>); 4] = [
         ("centroid", Box::new(|camera| keyed(VisibilityOrder::by_keys(&centroid_depth(mesh, camera))))),

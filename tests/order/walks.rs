@@ -135,7 +135,6 @@ fn three_interlocked_slivers_are_a_circle() {
         let sequenced = exact(&mesh, &adjacency, camera, [200, 200]);
         assert_permutation(&sequenced, &mesh);
         assert_eq!(sequenced.cycles, 1, "{camera:?}");
-        assert_eq!(mpvonc(&mesh, &adjacency, camera).cycles, 0, "faces do not tell");
     }
     let beside = camera(DVec3::new(9.0, 1.0, 0.2), DVec3::ZERO, Projection::Perspective { fov_y: 0.7 });
     assert_eq!(exact(&mesh, &adjacency, &beside, [200, 200]).cycles, 0);

@@ -26,8 +26,8 @@ struct Crossing {
     enters: bool,
 }
 
-/// All pairs of cells that a ray through a pixel's centre leaves and enters one after the other, with the mesh's open
-/// faces (cell and opposite corner). Sorted, each once.
+/// All pairs of cells that a ray through a pixel's centre leaves and then enters, with the mesh's open faces (cell and
+/// opposite corner), but for those that follow from others. Sorted, each once.
 pub(super) fn relations(mesh: &TetMesh, open_faces: &[(u32, usize)], lens: &Lens, size: [u32; 2]) -> Vec<Relation> {
     let corners = |&(tet, corner): &(u32, usize)| {
         FACES[corner].map(|i| lens.view(mesh.vertices[mesh.tets[tet as usize][i] as usize]))
@@ -87,7 +87,7 @@ fn cross(corners: [DVec3; 3], cell: u32, lens: &Lens, size: [u32; 2], band: u32,
     }
 }
 
-/// Pairs one after the other on one ray.
+/// Pairs on the rays of a band.
 fn gaps(crossings: &mut [Crossing]) -> Vec<Relation> {
     let mut pairs: Vec<(u32, u32)> = Vec::new();
     // Leaving counts as a little earlier.
@@ -96,12 +96,38 @@ fn gaps(crossings: &mut [Crossing]) -> Vec<Relation> {
     crossings
         .sort_unstable_by(|a, b| a.pixel.cmp(&b.pixel).then(place(a).total_cmp(&place(b))).then(key(a).cmp(&key(b))));
     for ray in crossings.chunk_by(|a, b| a.pixel == b.pixel) {
-        let through = ray.windows(2).filter(|w| !w[0].enters && w[1].enters && w[0].cell != w[1].cell);
-        pairs.extend(through.map(|w| (w[0].cell, w[1].cell)));
+        add_pairs(ray, &mut pairs);
     }
     pairs.sort_unstable();
     let run = |run: &[(u32, u32)]| Relation { front: run[0].0, back: run[0].1, pixels: run.len() as u32 };
     pairs.chunk_by(|a, b| a == b).map(run).collect()
+}
+
+/// Pairs on one ray: what is left with all that is entered behind it, until something is left that was entered there:
+/// that is behind the one and before the rest. Whether it was is known from how many parts the ray is in: the first so
+/// many to be left may be those. It is in one only where parts do not overlap, and what is entered next is all.
+fn add_pairs(ray: &[Crossing], pairs: &mut Vec<(u32, u32)>) {
+    let mut inside = 0_usize;
+    for (i, left) in ray.iter().enumerate().rev() {
+        if left.enters {
+            inside = inside.saturating_sub(1);
+            continue;
+        }
+        let mut others = inside;
+        for behind in &ray[i + 1..] {
+            if behind.enters {
+                if behind.cell != left.cell {
+                    pairs.push((left.cell, behind.cell));
+                }
+                continue;
+            }
+            if others == 0 {
+                break;
+            }
+            others -= 1;
+        }
+        inside += 1;
+    }
 }
 
 /// Each pair once, from all bands.

@@ -79,6 +79,9 @@ impl Lifting {
             return euclid;
         }
         let whitening = Whitening::new(mesh);
+        let mut forms = whitening.sample(mesh, adjacency);
+        // Cells that share no face may be most of the sample, or all.
+        whitening.add(mesh, adjacency, &euclid.1, &mut forms);
         let mut best = euclid;
         let mut keep = |metric: Metric, lifting: Self| {
             if lifting.failures() < best.1.failures() {
@@ -86,18 +89,14 @@ impl Lifting {
             }
             best.1.failures() == 0
         };
-        let mut forms = whitening.sample(mesh, adjacency);
         for _ in 0..MOST_ROUNDS {
             let Some(form) = nearest_to_origin(&forms) else { break };
             let metric = whitening.metric(&form);
             let lifting = Self::new(mesh, adjacency, &metric);
-            let failed: Vec<(u32, u8)> = lifting.concave.iter().chain(&lifting.flat).copied().collect();
+            whitening.add(mesh, adjacency, &lifting, &mut forms);
             if keep(metric, lifting) {
                 return best;
             }
-            let step = failed.len().div_ceil(ADDED).max(1);
-            let added = failed.iter().step_by(step);
-            forms.extend(added.filter_map(|&(t, corner)| whitening.form(mesh, adjacency, t as usize, corner as usize)));
         }
         // None makes all convex: at least not one that is far from the mesh's own proportions.
         let metric = whitening.metric(&[1.0, 1.0, 1.0, 0.0, 0.0, 0.0]);
@@ -204,6 +203,13 @@ impl Whitening {
         let step = (2 * mesh.tets.len()).div_ceil(SAMPLE).max(1);
         let cells = (0..mesh.tets.len()).step_by(step);
         cells.flat_map(|tet| (0..4).filter_map(move |i| self.form(mesh, adjacency, tet, i))).collect()
+    }
+
+    /// Adds up to [`ADDED`] of the faces that fail.
+    fn add(&self, mesh: &TetMesh, adjacency: &Adjacency, lifting: &Lifting, forms: &mut Vec<Form>) {
+        let step = lifting.failures().div_ceil(ADDED).max(1);
+        let failed = lifting.concave.iter().chain(&lifting.flat).step_by(step);
+        forms.extend(failed.filter_map(|&(tet, corner)| self.form(mesh, adjacency, tet as usize, corner.into())));
     }
 
     /// The vector whose product with a metric (off-diagonal entries times the root of 2) is positive where the lifting

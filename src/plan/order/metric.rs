@@ -7,7 +7,7 @@ use glam::{DMat3, DVec3};
 /// A symmetric 3 x 3 matrix M, by which a squared length is `v . M v`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Metric {
-    /// The matrix, mesh space; its trace is 3.
+    /// The matrix, mesh space; its trace is 3, or where that is not positive its largest entry 1.
     pub matrix: DMat3,
 }
 

@@ -5,7 +5,7 @@
 //! | [`centroid_depth`] | for nothing but fog: a fifth of all neighbours come out wrong | a sort |
 //! | [`PowerOrder`] | for Delaunay meshes and affine images of them; a [`PowerCensus`] tells | a sort |
 //! | [`mpvonc`] | between neighbours, where no cells hide one another in a circle | a walk over all cells |
-//! | [`exact`] | along one picture's rays, gaps and holes too, up to circles | the same, and the boundary's rays |
+//! | [`exact`] | along one picture's rays, gaps and holes too, up to circles and overlapping parts | the same, and the boundary's rays |
 //!
 //! [`VisibilityOrder::inversions`] tests any of them for one camera, [`sampled_inversions`] for many.
 

@@ -7,8 +7,8 @@ use crate::plan::order::{VisibilityOrder, mpvonc};
 use crate::scene::Camera;
 use crate::tet::{Adjacency, TetMesh};
 
-/// The rank of every cell, 0 for the farthest, and from `pieces_start` on of every piece of `cut`: pieces are where their
-/// cell was, each after those behind it.
+/// The rank of every cell, 0 for the farthest, and from `pieces_start` on of every piece of `cut`: pieces are where
+/// their cell was, each after those behind it.
 pub fn ranks_with_pieces(
     order: &VisibilityOrder,
     mesh: &TetMesh,

@@ -2,10 +2,10 @@
 
 use rayon::prelude::*;
 
-use crate::plan::order::lifting::{Lifting, gradient};
-use crate::plan::order::{PowerCensus, Vantage, VisibilityOrder};
+use crate::plan::order::lifting::gradient;
+use crate::plan::order::{Metric, Vantage, VisibilityOrder};
 use crate::scene::Camera;
-use crate::tet::{Adjacency, Census, TetId, TetMesh};
+use crate::tet::{TetId, TetMesh};
 
 /// The power order (Edelsbrunner 1990, *An acyclicity theorem for cell complexes in d dimensions*; Max, Hanrahan &
 /// Crawfis 1990, *Area and volume coherence for efficient visualization of 3D scalar functions*).
@@ -18,14 +18,12 @@ use crate::tet::{Adjacency, Census, TetId, TetMesh};
 pub struct PowerOrder {
     /// `-L` of every cell, mesh space: the key is the product with [`Vantage::homogeneous`], and larger is farther.
     pub rows: Vec<[f64; 4]>,
-    /// What the order is good for.
-    pub census: PowerCensus,
 }
 
 impl PowerOrder {
-    /// Finds the metric and examines all faces. Costs some passes over the cells, once a mesh.
-    pub fn new(mesh: &TetMesh, adjacency: &Adjacency) -> Self {
-        let (metric, lifting) = Lifting::find(mesh, adjacency);
+    /// By the metric that a [`super::PowerCensus`] found, which tells what the order is good for. One pass over the
+    /// cells.
+    pub fn new(mesh: &TetMesh, metric: &Metric) -> Self {
         let row = |tet: u32| {
             let corners = mesh.corners(TetId(tet));
             let from_first = corners.map(|v| v - corners[0]);
@@ -35,15 +33,7 @@ impl PowerOrder {
             let at_origin = metric.square(corners[0]) - slope.dot(corners[0]);
             [-slope.x, -slope.y, -slope.z, -at_origin]
         };
-        let census = PowerCensus {
-            metric,
-            interior_faces: lifting.faces,
-            overlapping_pairs: lifting.folds,
-            not_convex: Lifting::finding(&lifting.concave),
-            ties: Lifting::finding(&lifting.flat),
-            is_convex_mesh: Census::topology(mesh, adjacency).is_convex(),
-        };
-        Self { rows: (0..mesh.tets.len() as u32).into_par_iter().map(row).collect(), census }
+        Self { rows: (0..mesh.tets.len() as u32).into_par_iter().map(row).collect() }
     }
 
     /// One a cell; the largest is farthest.

@@ -3,7 +3,8 @@
 use std::fmt;
 
 use crate::plan::order::Metric;
-use crate::tet::{Finding, write_count, write_finding};
+use crate::plan::order::lifting::Lifting;
+use crate::tet::{Adjacency, Census, Finding, TetMesh, write_count, write_finding};
 
 /// Whether a mesh is regular: its cells the lower hull of its lifted vertices. Of a convex mesh every interior face has
 /// to be convex there, and then all of it is.
@@ -15,7 +16,9 @@ pub struct PowerCensus {
     pub interior_faces: u64,
     /// Neighbours that overlap: neither is behind.
     pub overlapping_pairs: u64,
-    /// Faces where the lifting is not convex: seen from one side or from both, the keys put the cell behind first.
+    /// Faces of more than two cells: each may be behind any other.
+    pub overfull_faces: u64,
+    /// Faces where the lifting is not convex: from whichever side they are seen, the keys put the cell in front first.
     pub not_convex: Finding,
     /// Faces where it is flat, within f64 rounding of the vertices: keys are equal, which says nothing of the order.
     pub ties: Finding,
@@ -35,9 +38,24 @@ pub enum Proof {
 }
 
 impl PowerCensus {
+    /// Finds the metric and examines all faces. Costs some passes over the cells, once a mesh.
+    pub fn new(mesh: &TetMesh, adjacency: &Adjacency) -> Self {
+        let (metric, lifting) = Lifting::find(mesh, adjacency);
+        Self {
+            metric,
+            interior_faces: lifting.faces,
+            overlapping_pairs: lifting.folds,
+            overfull_faces: adjacency.overfull_faces.count,
+            not_convex: Lifting::finding(&lifting.concave),
+            ties: Lifting::finding(&lifting.flat),
+            is_convex_mesh: lifting.folds == 0 && Census::has_convex_boundary(mesh, adjacency),
+        }
+    }
+
     /// What it proves of the power order.
     pub fn proof(&self) -> Proof {
-        match (self.not_convex.count + self.ties.count, self.is_convex_mesh) {
+        let unordered = self.overlapping_pairs + self.overfull_faces + self.not_convex.count + self.ties.count;
+        match (unordered, self.is_convex_mesh) {
             (0, true) => Proof::Order,
             (0, false) => Proof::Neighbors,
             _ => Proof::Nothing,
@@ -54,7 +72,8 @@ impl fmt::Display for PowerCensus {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{:<38}  {}", "metric of the power order", self.metric)?;
         write_count(f, "interior faces", self.interior_faces)?;
-        write_count(f, "  of overlapping neighbours", self.overlapping_pairs)?;
+        write_count(f, "overlapping neighbours", self.overlapping_pairs)?;
+        write_count(f, "faces of more than two tetrahedra", self.overfull_faces)?;
         write_finding(f, "  lifted: not convex", &self.not_convex)?;
         write_finding(f, "  lifted: flat, no order", &self.ties)?;
         let proof = match self.proof() {

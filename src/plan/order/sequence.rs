@@ -14,7 +14,7 @@ use crate::tet::{Adjacency, TetId, TetMesh};
 pub struct Sequenced {
     /// All cells.
     pub order: VisibilityOrder,
-    /// How many circles of cells, each of which hides the next, were met: in each, one pair is in the wrong order.
+    /// How many circles of cells, each of which hides the next, were met: at most one pair each is in the wrong order.
     pub cycles: u64,
 }
 
@@ -34,7 +34,7 @@ pub(super) struct Arrows<'a> {
     vantage: Vantage,
     /// Of every cell, bit i: the neighbour opposite corner i is behind; bit 4 + i: rays enter or leave there.
     faces: Vec<u8>,
-    /// By cell in front.
+    /// By cell in front, then by the one behind.
     relations: Vec<Relation>,
     /// How much of the view a pixel fills.
     pixel_extent: f64,
@@ -69,8 +69,8 @@ impl<'a> Arrows<'a> {
         cells.flat_map_iter(|tet| corners(tet).map(move |corner| (tet, corner))).collect()
     }
 
-    /// Cells one of whose open faces the eye sees: all others are behind some of them, but for circles. Farthest
-    /// centroid first, so that what is not joined mostly comes in order.
+    /// Cells one of whose open faces the eye sees: all others are behind some of them, but for circles and what is
+    /// around an eye within the mesh. Farthest centroid first, so that what is not joined mostly comes in order.
     fn starts(&self) -> Vec<u32> {
         let is_seen = |&(tet, corner): &(u32, usize)| {
             Face::new(self.mesh.tets[tet as usize], corner).side(self.mesh, &self.vantage) > 0
@@ -102,22 +102,24 @@ impl<'a> Arrows<'a> {
             let face = Face::new(self.mesh.tets[front as usize], corner);
             if is_theirs { self.vantage.extent(face.corners(self.mesh)) } else { 0.0 }
         };
-        let pixels = self.relations_of(front).iter().filter(|r| r.back == back).map(|r| f64::from(r.pixels));
-        (0..4).map(of_face).sum::<f64>() + self.pixel_extent * pixels.sum::<f64>()
+        let relations = self.relations_of(front);
+        let pixels = relations.binary_search_by_key(&back, |r| r.back).map_or(0, |i| relations[i].pixels);
+        (0..4).map(of_face).sum::<f64>() + self.pixel_extent * f64::from(pixels)
     }
 
-    /// Walks depth first: a cell follows all that are behind it. Cells take constant time each, starts have to be
-    /// sorted.
+    /// Walks depth first: a cell follows all that are behind it. Faces take constant time each, relations are searched
+    /// for, starts have to be sorted.
     ///
     /// Meeting a cell that the walk is still behind closes a circle. Its least harmful pair is given up: the walk goes
-    /// back to the cell in front, and comes again to what it had begun since. Once that has cost as much as
-    /// [`MOST_REPEATED`] walks it is the pair just met instead, so that time stays linear.
+    /// back to the cell in front, and comes again to what it had begun since. Once the circles had as many cells as
+    /// [`MOST_REPEATED`] meshes it is the pair just met instead, which costs nothing: time grows no faster than in
+    /// a mesh without circles.
     pub fn sequence(&self) -> Sequenced {
         let mut walk = Walk::new(self);
         for start in self.starts() {
             walk.from(start);
         }
-        // Those in circles that hide one another from every start.
+        // Those around an eye within the mesh, and in circles that hide one another from every start.
         for tet in 0..self.faces.len() as u32 {
             walk.from(tet);
         }
@@ -125,7 +127,7 @@ impl<'a> Arrows<'a> {
     }
 }
 
-/// Steps back, in cells of the mesh.
+/// Cells of all circles that are looked at, in cells of the mesh.
 const MOST_REPEATED: usize = 8;
 
 /// Of a cell that has not been met.
@@ -145,7 +147,8 @@ struct Walk<'a> {
     /// Their cells behind, which no longer come before those in front.
     left: Vec<u32>,
     cycles: u64,
-    steps_back: usize,
+    /// Cells of circles that may still be looked at.
+    budget: usize,
 }
 
 impl<'a> Walk<'a> {
@@ -160,7 +163,7 @@ impl<'a> Walk<'a> {
             given_up: HashSet::new(),
             left: Vec::new(),
             cycles: 0,
-            steps_back: MOST_REPEATED * count,
+            budget: MOST_REPEATED * count,
         }
     }
 
@@ -202,23 +205,27 @@ impl<'a> Walk<'a> {
     /// The stack from here on is a circle.
     fn give_up(&mut self, bottom: usize) {
         self.cycles += 1;
-        let circle: Vec<u32> = self.stack[bottom..].iter().map(|&(tet, _)| tet).collect();
-        let pairs = (0..circle.len()).map(|i| (i, circle[i], circle[(i + 1) % circle.len()]));
-        let harm = |&(_, front, back): &(usize, u32, u32)| self.arrows.harm(front, back);
-        let last = (circle.len() - 1, circle[circle.len() - 1], circle[0]);
-        let (i, front, back) = match self.steps_back >= circle.len() {
-            true => pairs.min_by(|a, b| harm(a).total_cmp(&harm(b))).unwrap_or(last),
-            false => last,
-        };
-        self.given_up.insert((front, back));
-        for &tet in &circle[i + 1..] {
+        let (top, from) = (self.stack.len() - 1, self.stack[bottom].0);
+        let (place, back) = self.least_harmful(bottom).unwrap_or((top, from));
+        self.given_up.insert((self.stack[place].0, back));
+        if place == top {
+            return;
+        }
+        for (tet, _) in self.stack.drain(place + 1..) {
             self.states[tet as usize] = NEW;
-            self.steps_back -= 1;
         }
-        self.stack.truncate(bottom + i + 1);
-        if i + 1 < circle.len() {
-            self.left.push(back);
-        }
+        self.left.push(back);
+    }
+
+    /// Of the pairs of a circle: where in the stack the cell in front is, and which is behind. `None` where the budget
+    /// does not reach.
+    fn least_harmful(&mut self, bottom: usize) -> Option<(usize, u32)> {
+        let circle = &self.stack[bottom..];
+        self.budget = self.budget.checked_sub(circle.len())?;
+        let backs = circle[1..].iter().chain(&circle[..1]).map(|&(back, _)| back);
+        let pairs = (bottom..).zip(circle.iter().zip(backs));
+        let harms = pairs.map(|(place, (&(front, _), back))| (self.arrows.harm(front, back), place, back));
+        harms.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, place, back)| (place, back))
     }
 }
 
@@ -243,11 +250,18 @@ fn next_behind(arrows: &Arrows<'_>, has_relations: bool, (tet, next): &mut (u32,
 
 #[cfg(test)]
 mod tests {
+    use std::time::{Duration, Instant};
+
     use super::*;
     use crate::tet::NO_TET;
 
+    /// In so many pixels a cell is said to hide another.
+    fn pixels(front: u32, back: u32) -> u32 {
+        1 + (front ^ back) % 7
+    }
+
     /// Cells that share nothing, and what they are said to hide.
-    fn sequence_of(count: u32, hides: &[(u32, u32)]) -> (Vec<u32>, u64) {
+    fn sequence_of(count: u32, hides: &[(u32, u32)], pixels: impl Fn(u32, u32) -> u32) -> (Vec<u32>, u64) {
         let mesh = TetMesh {
             vertices: vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z],
             center_in_data: DVec3::ZERO,
@@ -261,7 +275,7 @@ mod tests {
         let adjacency = Adjacency { neighbors, overfull_faces: Default::default() };
         let vantage = Vantage { point: DVec3::new(3.0, 2.0, 1.0), perspective: true };
         let mut relations: Vec<Relation> =
-            hides.iter().map(|&(front, back)| Relation { front, back, pixels: 1 + (front ^ back) % 7 }).collect();
+            hides.iter().map(|&(front, back)| Relation { front, back, pixels: pixels(front, back) }).collect();
         relations.sort_unstable();
         relations.dedup();
         let sequenced = Arrows::new(&mesh, &adjacency, vantage).with_relations(relations, 1.0).sequence();
@@ -289,12 +303,12 @@ mod tests {
     fn every_circle_costs_at_most_one_pair_however_many_there_are() {
         for (count, many, seed) in [(10, 40, 1), (100, 250, 2), (1000, 8000, 3), (20_000, 60_000, 4)] {
             let hides = pairs(count, many, seed);
-            let (ranks, cycles) = sequence_of(count, &hides);
+            let (ranks, cycles) = sequence_of(count, &hides, pixels);
             assert!(VisibilityOrder::new(ranks.clone()).is_ok(), "{count}");
             assert!(cycles > 0 && wrong(&ranks, &hides) <= cycles, "{count}: {cycles}");
             // Without circles all is right.
             let forward: Vec<_> = hides.iter().map(|&(a, b)| (a.min(b), a.max(b))).collect();
-            let (ranks, cycles) = sequence_of(count, &forward);
+            let (ranks, cycles) = sequence_of(count, &forward, pixels);
             assert_eq!((wrong(&ranks, &forward), cycles), (0, 0), "{count}");
         }
     }
@@ -302,10 +316,22 @@ mod tests {
     #[test]
     fn the_least_harmful_pair_of_a_circle_is_given_up() {
         let circle: Vec<(u32, u32)> = (0..8).map(|i| (i, (i + 1) % 8)).collect();
-        let pixels = |&(a, b): &(u32, u32)| 1 + (a ^ b) % 7;
-        let (ranks, cycles) = sequence_of(8, &circle);
+        let (ranks, cycles) = sequence_of(8, &circle, pixels);
         let given_up: Vec<_> = circle.iter().filter(|&&(a, b)| ranks[a as usize] < ranks[b as usize]).collect();
         assert_eq!((cycles, given_up.len()), (1, 1));
+        let pixels = |&(a, b): &(u32, u32)| pixels(a, b);
         assert_eq!(Some(pixels(given_up[0])), circle.iter().map(pixels).min());
+    }
+
+    /// A chain whose last cell hides all others: to look at each circle in full would take minutes.
+    #[test]
+    fn many_long_circles_take_no_longer_than_a_mesh() {
+        const COUNT: u32 = 50_000;
+        let last = COUNT - 1;
+        let hides: Vec<_> = (0..last).flat_map(|i| [(i, i + 1), (last, i)]).collect();
+        let start = Instant::now();
+        let (ranks, cycles) = sequence_of(COUNT, &hides, |front, _| if front == last { 1 } else { 9 });
+        assert!(start.elapsed() < Duration::from_secs(20), "{:?}", start.elapsed());
+        assert_eq!((cycles, wrong(&ranks, &hides)), (last.into(), last.into()));
     }
 }
