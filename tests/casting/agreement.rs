@@ -360,7 +360,7 @@ fn counts_are_those_of_the_picture() {
 
 /// Only a mesh with a cell on top of another has errors explained by that.
 #[test]
-fn overlaps_are_found_where_they_are() {
+fn ties_are_found_where_they_are() {
     let conforming = box_mesh(4, DVec3::ZERO, DVec3::ONE, |p| [p.x, p.y]);
     let mut folded = conforming.clone();
     let own = folded.tets[100].map(|v| {
@@ -379,7 +379,7 @@ fn overlaps_are_found_where_they_are() {
             Frame { camera: &camera, transfer: &transfer, optics: &Optics::PLAIN, size: SIZE, background: [0.0; 4] };
         let explainer = Explainer { mesh: &mesh, frame, view: oracle.view(&frame).expect("a view"), shift: SHIFT };
         let pixels = (0..SIZE[0] * SIZE[1]).map(|i| [i % SIZE[0], i / SIZE[0]].map(|n| f64::from(n) + 0.5));
-        pixels.filter(|&position| explainer.cells_overlap(position)).count()
+        pixels.filter(|&position| explainer.middles_tie(position)).count()
     };
     let (none, some) = (overlaps(conforming), overlaps(folded));
     assert!(none == 0 && some > 10, "{none} and {some}");
