@@ -1,10 +1,12 @@
 #import shared/walk
 #import shared/lists
 
-// Segments of the rays that pass two cells at once, which raycast.wgsl has found: counted, or listed, in any order.
+// Segments of the rays that pass two cells at once, which raycast.wgsl has found: counted, while the strip is empty, or
+// listed, in any order. One pipeline does both, so that walks are the same ones, and all occupied cells are counted: no
+// rounding makes more segments than were counted.
 
 @group(3) @binding(6) var<storage, read> overlapping: array<u32>;
-// Of each pixel: segments counted, or listed so far.
+// Of each pixel: cells counted, or segments listed so far.
 @group(3) @binding(7) var<storage, read_write> fragments: array<u32>;
 // Depth of each segment's middle, twice; premultiplied colour and transmittance.
 @group(3) @binding(8) var<storage, read_write> list_depths: array<f32>;
@@ -12,27 +14,35 @@
 // Segments beyond those counted.
 @group(3) @binding(2) var<storage, read_write> unlisted: atomic<u32>;
 
-// Off: segments are counted.
-override LISTS: bool = false;
-
 var<private> pixel_number: u32;
 
+fn lists() -> bool {
+    return strip.end_pixel > strip.first_pixel;
+}
+
+fn meet() {
+    if !lists() {
+        fragments[pixel_number]++;
+    }
+}
+
 fn compose(ray: Ray, start: Values, back: Values, way: ptr<function, Way>) {
+    if !lists() {
+        return;
+    }
     let front = start_of(start, back, (*way).reached);
     let seen = seen_between(ray, front, back, (back.depth - (*way).reached) * ray.stretch);
     if seen.a == 1.0 && all(seen.rgb == vec3f(0.0)) {
         return;
     }
     let place = fragments[pixel_number];
-    if LISTS {
-        let list = list_of(pixel_number, rays.size.x);
-        if place >= list.room {
-            atomicAdd(&unlisted, 1u);
-            return;
-        }
-        list_depths[list.start + place] = (*way).reached + back.depth;
-        list_colors[list.start + place] = seen;
+    let list = list_of(pixel_number, rays.size.x);
+    if place >= list.room {
+        atomicAdd(&unlisted, 1u);
+        return;
     }
+    list_depths[list.start + place] = (*way).reached + back.depth;
+    list_colors[list.start + place] = seen;
     fragments[pixel_number] = place + 1u;
 }
 
@@ -48,7 +58,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     if (overlapping[1u + (pixel_number >> 5u)] & (1u << (pixel_number & 31u))) == 0u {
         return;
     }
-    if LISTS && (pixel_number < strip.first_pixel || pixel_number >= strip.end_pixel) {
+    if lists() && (pixel_number < strip.first_pixel || pixel_number >= strip.end_pixel) {
         return;
     }
     let at = STATE_VECTORS * (in_slab.y * rays.size.x + in_slab.x);
