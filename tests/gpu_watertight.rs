@@ -145,7 +145,7 @@ fn is_watertight(method: Method, mesh: &Arc<TetMesh>, place: Place, count: usize
 
 #[test]
 fn a_regular_box_is_watertight() {
-    is_watertight(Method::Project, &regular(), Place::Outside, 40, "regular");
+    is_watertight(Method::Project, &regular(), Place::Outside, 28, "regular");
 }
 
 #[test]
@@ -155,7 +155,7 @@ fn a_regular_box_is_watertight_from_inside() {
 
 #[test]
 fn a_delaunay_box_is_watertight() {
-    is_watertight(Method::Project, &random(), Place::Outside, 40, "random");
+    is_watertight(Method::Project, &random(), Place::Outside, 28, "random");
 }
 
 #[test]
@@ -165,13 +165,13 @@ fn a_delaunay_box_is_watertight_from_inside() {
 
 #[test]
 fn front_faces_of_a_regular_box_are_watertight() {
-    is_watertight(Method::CellCast, &regular(), Place::Outside, 16, "regular");
+    is_watertight(Method::CellCast, &regular(), Place::Outside, 12, "regular");
     is_watertight(Method::CellCast, &regular(), Place::Inside, 4, "regular");
 }
 
 #[test]
 fn front_faces_of_a_delaunay_box_are_watertight() {
-    is_watertight(Method::CellCast, &random(), Place::Outside, 16, "random");
+    is_watertight(Method::CellCast, &random(), Place::Outside, 12, "random");
     is_watertight(Method::CellCast, &random(), Place::Inside, 4, "random");
 }
 

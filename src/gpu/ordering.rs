@@ -2,7 +2,6 @@
 
 use std::cell::OnceCell;
 
-use crate::error::Result;
 use crate::gpu::device::Gpu;
 use crate::gpu::store::{Pieces, Store};
 use crate::plan::near::NearCut;
@@ -73,9 +72,6 @@ impl Ordering {
     }
 
     /// Puts on the device what keys are made of.
-    ///
-    /// # Errors
-    /// A lost device.
     pub fn prepare(
         &mut self,
         gpu: &Gpu,
@@ -84,7 +80,7 @@ impl Ordering {
         method: OrderMethod,
         frame: &Frame<'_>,
         near: Option<(&NearCut, Pieces)>,
-    ) -> Result<Keys> {
+    ) -> Keys {
         // Where all that is clipped lies outside the picture, no piece is left, and no room was made for any.
         let near = near.filter(|(cut, _)| !cut.tets.is_empty());
         match (method, near) {
@@ -92,13 +88,13 @@ impl Ordering {
                 if store.needs_power_rows() {
                     store.put_power_rows(gpu, &self.power(mesh).rows_f32());
                 }
-                Ok(Keys::Power)
+                Keys::Power
             }
             (OrderMethod::Power | OrderMethod::Mpvonc | OrderMethod::Exact, _) => {
                 self.rank(gpu, store, mesh, method, frame, near);
-                Ok(Keys::Ranks)
+                Keys::Ranks
             }
-            _ => Ok(Keys::Centroid),
+            _ => Keys::Centroid,
         }
     }
 

@@ -262,7 +262,7 @@ impl GpuRenderer {
         let cut = near::cut(&self.mesh, frame.camera, f64::from(frame.size[0]) / f64::from(frame.size[1]));
         let pieces = cut.as_ref().map(|cut| self.prepare_near_cut(cut)).transpose()?;
         let near = cut.as_ref().zip(pieces);
-        let keys = self.ordering.prepare(&self.gpu, &mut self.store, &self.mesh, choice.method, frame, near)?;
+        let keys = self.ordering.prepare(&self.gpu, &mut self.store, &self.mesh, choice.method, frame, near);
         self.scene.as_mut().ok_or_else(unprepared)?.need_keys(&self.gpu, keys)?;
         let uniform = self.frame_uniform(frame, pieces);
         self.gpu.queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&uniform));
