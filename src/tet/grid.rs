@@ -322,8 +322,8 @@ fn lattice(mesh: &Mesh) -> Result<Lattice> {
     let most = if turn == DMat3::IDENTITY { 0.0 } else { STRAY * ends.iter().map(|end| end.length()).sum::<f64>() };
     let is_off = |(i, p): (usize, &DVec3)| {
         let place = DVec3::new(places[0][i % nx], places[1][i / nx % ny], places[2][i / nx / ny]);
-        // Phrased so that NaN is.
-        !((turn * place - *p).abs().max_element() <= most)
+        let stray = turn * place - *p;
+        !stray.is_finite() || stray.abs().max_element() > most
     };
     if mesh.points.par_iter().enumerate().any(is_off) {
         return no("this one is sheared or curved".into());
