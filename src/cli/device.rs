@@ -39,7 +39,10 @@ pub(super) fn renderer(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) 
         Device::Software => on_gpu(Gpu::new(DeviceChoice::Software)?, mesh, settings)?,
         Device::Auto => return automatic(mesh, wish, bar),
     };
-    Ok(Chosen { renderer, note: None })
+    let casts = matches!(wish.device, Device::Cpu | Device::Oracle) || settings.method == Method::RayCast;
+    let note = (casts && settings.order != OrderMethod::Auto)
+        .then(|| "rays have no order of cells: --order is not used".into());
+    Ok(Chosen { renderer, note })
 }
 
 /// Hardware first; then the CPU engine if it can render the scene; then a software adapter, and the reference at last.

@@ -17,7 +17,7 @@ const INSTEAD: &str = "render with --order centroid or per-pixel, or --method ra
 
 /// A lattice of samples; nothing is held of a tetrahedron. Mesh space is parallel to it, and turned where it is.
 ///
-/// Places, values and gradients are those of the [`TetMesh`] that five tetrahedra a voxel make of the same mesh.
+/// Places, values and gradients are those of the [`TetMesh`](super::TetMesh) that five tetrahedra a voxel make of the same mesh.
 #[derive(Clone, Debug)]
 pub struct Grid {
     /// Samples along x, y and z.
