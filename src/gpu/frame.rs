@@ -3,6 +3,7 @@
 use glam::{DVec3, Vec3};
 
 use crate::gpu::layout;
+use crate::plan::lens::basis_in_mesh;
 use crate::renderer::Frame;
 use crate::scene::{Camera, Projection};
 use crate::tet::Domain;
@@ -10,7 +11,7 @@ use crate::tet::Domain;
 /// The camera, picture and background, in mesh space; counts are left 0.
 pub fn camera_uniform(frame: &Frame<'_>, mesh: &(impl Domain + ?Sized)) -> layout::Frame {
     let camera: &Camera = frame.camera;
-    let basis = mesh.basis_in_mesh(camera);
+    let basis = basis_in_mesh(camera, mesh);
     let eye = mesh.mesh_from_data(camera.eye);
     // The mesh lies within 1 of the origin.
     let reference = if eye.length() <= 4.0 { eye.as_vec3() } else { Vec3::ZERO };
@@ -49,7 +50,7 @@ fn half_height(camera: &Camera, mesh: &(impl Domain + ?Sized)) -> f64 {
 
 /// True where all of the mesh is before the eye and within a picture so many times as large, `margin` pixels inside it.
 pub fn lies_within(frame: &Frame<'_>, mesh: &(impl Domain + ?Sized), scale: f64, margin: f64) -> bool {
-    let (camera, basis) = (frame.camera, mesh.basis_in_mesh(frame.camera));
+    let (camera, basis) = (frame.camera, basis_in_mesh(frame.camera, mesh));
     let [width, height] = frame.size.map(f64::from);
     let half = half_height(camera, mesh);
     let eye = mesh.mesh_from_data(camera.eye);

@@ -5,6 +5,13 @@ use glam::{DVec2, DVec3};
 use crate::scene::{Basis, Camera, Projection};
 use crate::tet::Domain;
 
+/// A camera's axes in mesh space, which may be turned.
+pub fn basis_in_mesh(camera: &Camera, mesh: &(impl Domain + ?Sized)) -> Basis {
+    let turned = |axis| mesh.turn().transpose() * axis;
+    let Basis { right, up, forward } = camera.basis();
+    Basis { right: turned(right), up: turned(up), forward: turned(forward) }
+}
+
 /// A camera in mesh space. In its view axes (x right, y up, z forward, from the eye) the ray of film position `f` goes
 /// through `(f.x, f.y, 1)`, from the eye for perspective and along z otherwise.
 #[derive(Clone, Copy, Debug)]
@@ -35,7 +42,7 @@ impl Lens {
         let near = camera.near_depth(mesh.bounds_in_data().diagonal()) / mesh.data_per_mesh();
         Self {
             eye: mesh.mesh_from_data(camera.eye),
-            basis: mesh.basis_in_mesh(camera),
+            basis: basis_in_mesh(camera, mesh),
             perspective,
             // Nothing is seen behind the eye, whatever was asked.
             near: if perspective { near.max(0.0) } else { near },

@@ -3,6 +3,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
+use crate::plan::lens::basis_in_mesh;
 use crate::plan::near::MOST_DEPTH_RATIO;
 use crate::plan::order::VisibilityOrder;
 use crate::scene::{Camera, Projection};
@@ -30,7 +31,7 @@ pub fn turn(nearest: usize, count: usize, index: usize) -> usize {
 /// The voxel that holds the eye, else the one nearest to it; for an orthographic camera the one from which rays leave.
 pub fn nearest(grid: &Grid, camera: &Camera) -> [usize; 3] {
     let eye = grid.mesh_from_data(camera.eye);
-    let forward = grid.basis_in_mesh(camera).forward;
+    let forward = basis_in_mesh(camera, grid).forward;
     std::array::from_fn(|axis| {
         let places = &grid.places[axis];
         let (last, rises) = (places.len() - 2, places[1] > places[0]);
@@ -55,7 +56,7 @@ pub fn nearest(grid: &Grid, camera: &Camera) -> [usize; 3] {
 pub fn order(grid: &Grid, camera: &Camera) -> VisibilityOrder {
     let (voxels, nearest) = (grid.voxels(), nearest(grid, camera));
     let eye = grid.mesh_from_data(camera.eye);
-    let forward = grid.basis_in_mesh(camera).forward;
+    let forward = basis_in_mesh(camera, grid).forward;
     let perspective = matches!(camera.projection, Projection::Perspective { .. });
     let mut keyed = Vec::with_capacity(grid.tet_count() as usize);
     for tet in 0..grid.tet_count() as u32 {
@@ -113,7 +114,7 @@ pub struct Near {
 pub fn near(grid: &Grid, part: &VoxelBox, camera: &Camera, aspect: f64) -> Near {
     let depth = camera.near_depth(grid.bounds_in_data().diagonal()) / grid.data_per_mesh;
     let eye = grid.mesh_from_data(camera.eye);
-    let basis = grid.basis_in_mesh(camera);
+    let basis = basis_in_mesh(camera, grid);
     let none = VoxelBox { low: [0; 3], high: [0; 3] };
     let Projection::Perspective { fov_y } = camera.projection else {
         let corners = grid.bounds_of(part).corners();
@@ -182,7 +183,7 @@ pub struct Sides {
 impl Sides {
     /// Of a picture; `least_depth` as in [`Near`].
     pub fn new(grid: &Grid, camera: &Camera, aspect: f64, least_depth: f64) -> Self {
-        let basis = grid.basis_in_mesh(camera);
+        let basis = basis_in_mesh(camera, grid);
         let (slope, half) = match camera.projection {
             Projection::Perspective { fov_y } => ((0.5 * fov_y).tan() * (1.0 + MARGIN), 0.0),
             Projection::Orthographic { height } => (0.0, 0.5 * height / grid.data_per_mesh * (1.0 + MARGIN)),

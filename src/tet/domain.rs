@@ -3,7 +3,6 @@
 use glam::{DMat3, DVec3};
 
 use super::{JointHistogram, TetMesh};
-use crate::scene::{Basis, Camera};
 use crate::space::{Bounds, Interval};
 
 /// A field over tetrahedra, and where they lie. Mesh space is explained at [`TetMesh`].
@@ -49,13 +48,6 @@ pub trait Domain {
     /// Data space to mesh space.
     fn mesh_from_data(&self, p: DVec3) -> DVec3 {
         self.turn().transpose() * (p - self.center_in_data()) / self.data_per_mesh()
-    }
-
-    /// A camera's axes, in mesh space.
-    fn basis_in_mesh(&self, camera: &Camera) -> Basis {
-        let turned = |axis| self.turn().transpose() * axis;
-        let Basis { right, up, forward } = camera.basis();
-        Basis { right: turned(right), up: turned(up), forward: turned(forward) }
     }
 }
 
