@@ -41,7 +41,8 @@ fn main(@builtin(local_invocation_index) lane: u32) {
         counts.sort_groups_y = (tiles + SORT_ROW - 1u) / SORT_ROW;
         counts.sort_groups_z = 1u;
     }
-    let chunks = (frame.most_drawn + frame.chunk_cells - 1u) / frame.chunk_cells;
+    // The first is drawn even where there is nothing.
+    let chunks = (max(frame.most_drawn, 1u) + frame.chunk_cells - 1u) / frame.chunk_cells;
     for (var chunk = lane; chunk < chunks; chunk += 256u) {
         let first_cell = chunk * frame.chunk_cells;
         draws[chunk * 5u] = min(max(before, first_cell) - first_cell, frame.chunk_cells) * INDICES;

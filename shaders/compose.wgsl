@@ -1,18 +1,22 @@
 #import shared/frame
 #import shared/lists
 
-// Sorts each pixel's list, front first, and composes it. Runs are merged, two at a time, into runs twice as long. A pixel
-// leaves a dispatch after MOST_TURNS turns of loops and goes on in the next.
+// Sorts each pixel's list, front first, and composes it. Runs are merged, two at a time, into runs twice as long. A
+// pixel leaves a dispatch after MOST_TURNS turns of loops and goes on in the next.
 
 @group(3) @binding(3) var<storage, read> fragments: array<u32>; // listed, of each pixel
 @group(3) @binding(4) var<storage, read> list_depths: array<f32>;
 @group(3) @binding(5) var<storage, read> list_colors: array<vec4f>;
 // Twice as long as lists: the fragments of the runs that are merged, and those of the runs that are made.
 @group(3) @binding(6) var<storage, read_write> list_ranks: array<u32>;
-// Two vectors a pixel of the strip: how far it is, and what it has seen.
+// Of each pixel of the strip: how far it is, and what it has seen.
 @group(3) @binding(7) var<storage, read_write> list_states: array<vec4u>;
 @group(3) @binding(8) var<storage, read_write> unfinished: atomic<u32>;
 @group(3) @binding(9) var picture: texture_storage_2d<rgba32float, write>;
+
+// Those of gpu/lists.rs: pixels of a workgroup, vectors of a pixel's state.
+const GROUP: u32 = 64u;
+const STATE_VECTORS: u32 = 2u;
 
 override MOST_TURNS: u32 = 8192u;
 // On: pixels without fragments stay as they are.
@@ -44,7 +48,7 @@ fn is_before(start: u32, depths: vec2f, a: u32, b: u32) -> bool {
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) groups: vec3u) {
-    let in_strip = id.x + id.y * groups.x * 64u;
+    let in_strip = id.x + id.y * groups.x * GROUP;
     let pixel = strip.first_pixel + in_strip;
     if pixel >= strip.end_pixel {
         return;
@@ -62,14 +66,14 @@ fn main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) group
     var color = vec3f(0.0);
     var transmittance = 1.0;
     if strip.goes_on != 0u {
-        let state = list_states[2u * in_strip];
+        let state = list_states[STATE_VECTORS * in_strip];
         if state.x == DONE {
             return;
         }
         run = state.x;
         made = state.y;
         heads = state.zw;
-        let seen = bitcast<vec4f>(list_states[2u * in_strip + 1u]);
+        let seen = bitcast<vec4f>(list_states[STATE_VECTORS * in_strip + 1u]);
         color = seen.rgb;
         transmittance = seen.a;
     }
@@ -122,14 +126,15 @@ fn main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) group
         transmittance *= seen.a;
         made++;
     }
-    let is_done = run >= count && (made == count || transmittance <= OPAQUE);
+    // What ended with turns left, NaN too, has ended for good.
+    let is_done = run >= count && (made == count || turns < MOST_TURNS);
     if !is_done {
         atomicAdd(&unfinished, 1u);
-        list_states[2u * in_strip] = vec4u(run, made, heads);
-        list_states[2u * in_strip + 1u] = bitcast<vec4u>(vec4f(color, transmittance));
+        list_states[STATE_VECTORS * in_strip] = vec4u(run, made, heads);
+        list_states[STATE_VECTORS * in_strip + 1u] = bitcast<vec4u>(vec4f(color, transmittance));
         return;
     }
-    list_states[2u * in_strip].x = DONE;
+    list_states[STATE_VECTORS * in_strip].x = DONE;
     let background = frame.background;
     textureStore(picture, vec2u(pixel % width, pixel / width),
                  vec4f(color + transmittance * background.rgb, 1.0 - transmittance * (1.0 - background.a)));

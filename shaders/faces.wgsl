@@ -15,7 +15,7 @@
 // edges between the faces, and where the entry was interpolated, a pixel there had that of the wrong face (up to 1.2e-2 off
 // instead of 4e-4, Post, thin bands).
 //
-// Faces are drawn a hair too large, for the reasons of outlines (project.wgsl).
+// Faces are drawn a hair too large, for the reasons of outlines (shared/outlines.wgsl).
 
 // The vertices other than d, so that all four in a row are an odd permutation.
 fn others(d: u32) -> vec3u {

@@ -1,8 +1,9 @@
 #import raster
 #import shared/lists
 
-// Lists fragments instead of blending them: each pixel's are sorted by depth and composed afterwards (compose.wgsl), so that
-// the picture does not rest on the order of cells. Fragments are counted first, so that each list has room for all of them.
+// Lists fragments instead of blending them: each pixel's are sorted by depth and composed afterwards (compose.wgsl), so
+// that the picture does not rest on the order of cells. Fragments are counted first, so that each list has room for all of
+// them.
 
 // Of each pixel: fragments counted, or listed so far.
 @group(3) @binding(3) var<storage, read_write> fragments: array<atomic<u32>>;

@@ -2,8 +2,8 @@
 #import shared/light
 #import shared/transfer
 
-// Draws the sorted cells: per fragment, entry and exit values from quantities that are affine on screen (project.wgsl,
-// optics.md 6.3), then the segment's integral; blending composes back to front.
+// Draws the sorted cells: per fragment, entry and exit values from quantities that are affine on screen
+// (shared/corners.wgsl, optics.md 6.3), then the segment's integral; blending composes back to front.
 
 // Of a univariate scene, corners and fragments carry no gradients.
 struct Corner {
@@ -17,7 +17,7 @@ struct BandCorner {
     @location(0) clip: vec2f,
     @location(1) plane: vec2f,
     @location(2) tent: vec3f,
-    // With the span (project.wgsl).
+    // With the span (shared/corners.wgsl).
     @location(3) apex: vec3f,
 }
 

@@ -6,6 +6,9 @@
 // How many rays pass two cells at once; then a bit a pixel, of these.
 @group(3) @binding(6) var<storage, read_write> overlapping: array<atomic<u32>>;
 
+// Nothing is counted.
+fn meet() {}
+
 // Composes the segment from where all is done to `back`.
 fn compose(ray: Ray, start: Values, back: Values, way: ptr<function, Way>) {
     let front = start_of(start, back, (*way).reached);

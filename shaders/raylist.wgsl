@@ -1,10 +1,13 @@
 #import shared/walk
 #import shared/lists
 
-// Segments of the rays that pass two cells at once, which raycast.wgsl has found: counted, or listed, in any order.
+// Segments of the rays that pass two cells at once, which raycast.wgsl has found: counted, or listed, in any order. All
+// occupied cells are counted, whatever is seen of them: rounding may differ between the two pipelines. A uniform that chose
+// between them in one would be a condition of uniforms alone, and compiling such writes beyond arrays (lavapipe of Mesa
+// 22.3.6, by valgrind).
 
 @group(3) @binding(6) var<storage, read> overlapping: array<u32>;
-// Of each pixel: segments counted, or listed so far.
+// Of each pixel: cells counted, or segments listed so far.
 @group(3) @binding(7) var<storage, read_write> fragments: array<u32>;
 // Depth of each segment's middle, twice; premultiplied colour and transmittance.
 @group(3) @binding(8) var<storage, read_write> list_depths: array<f32>;
@@ -12,27 +15,34 @@
 // Segments beyond those counted.
 @group(3) @binding(2) var<storage, read_write> unlisted: atomic<u32>;
 
-// Off: segments are counted.
+// Off: they are counted.
 override LISTS: bool = false;
 
 var<private> pixel_number: u32;
 
+fn meet() {
+    if !LISTS {
+        fragments[pixel_number]++;
+    }
+}
+
 fn compose(ray: Ray, start: Values, back: Values, way: ptr<function, Way>) {
+    if !LISTS {
+        return;
+    }
     let front = start_of(start, back, (*way).reached);
     let seen = seen_between(ray, front, back, (back.depth - (*way).reached) * ray.stretch);
     if seen.a == 1.0 && all(seen.rgb == vec3f(0.0)) {
         return;
     }
     let place = fragments[pixel_number];
-    if LISTS {
-        let list = list_of(pixel_number, rays.size.x);
-        if place >= list.room {
-            atomicAdd(&unlisted, 1u);
-            return;
-        }
-        list_depths[list.start + place] = (*way).reached + back.depth;
-        list_colors[list.start + place] = seen;
+    let list = list_of(pixel_number, rays.size.x);
+    if place >= list.room {
+        atomicAdd(&unlisted, 1u);
+        return;
     }
+    list_depths[list.start + place] = (*way).reached + back.depth;
+    list_colors[list.start + place] = seen;
     fragments[pixel_number] = place + 1u;
 }
 

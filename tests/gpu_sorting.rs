@@ -17,7 +17,7 @@ use tetralux::image::{Comparison, Image};
 use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
 use tetralux::plan::order::centroid_depth;
-use tetralux::renderer::{Frame, Renderer as _, Settings, SortPlace};
+use tetralux::renderer::{Frame, Renderer as _, SegmentIntegral, Settings, SortPlace};
 use tetralux::scene::{Camera, Curve, CurveNode, Optics, Projection, TransferFunction, Widget, WidgetShape};
 use tetralux::tet::TetMesh;
 
@@ -237,4 +237,28 @@ fn a_mesh_of_more_than_four_parts_is_refused_with_the_numbers() {
     let refusal = GpuRenderer::new(small_bindings(), mesh, gpu::by_centroids()).err().expect("a refusal");
     let Error::Device(text) = refusal else { panic!("another error: {refusal}") };
     assert!(text.contains(&count.to_string()) && text.contains("262144"), "{text}");
+}
+
+/// A function that shows nothing of the data draws no span: neither those of the frame before.
+#[test]
+fn nothing_is_left_of_the_frame_before() {
+    let mesh = meshes::sample(Sample::Tangle, 2_000);
+    let (range, (_, diagonal)) = (mesh.scalar_range(), meshes::center_and_diagonal(&mesh));
+    let camera = camera(&mesh, DVec3::new(1.0, 0.7, 0.4), true);
+    let beyond = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (3.0, 9.0)].map(|(at, extinction)| CurveNode {
+        scalar: range.min + at * range.length(),
+        color: [1.0, 0.5, 0.2],
+        extinction: extinction / diagonal,
+    });
+    let beyond = TransferFunction::Curve(Curve { nodes: beyond.to_vec() });
+    for sort in [SortPlace::Host, SortPlace::Gpu] {
+        let settings = Settings { sort, integral: SegmentIntegral::Analytic, ..gpu::by_centroids() };
+        let mut renderer = gpu::renderer(&mesh, settings);
+        let before = draw(&mut renderer, &camera, &colorful(&mesh), SIZE);
+        assert!(cells(&before, "drawn") > 2_000);
+        let after = draw(&mut renderer, &camera, &beyond, SIZE);
+        assert_eq!(cells(&after, "spans of them"), 0);
+        let shown = after.image.pixels.iter().filter(|p| **p != [0.0; 4]).count();
+        assert_eq!(shown, 0, "{sort:?}: {shown} pixels show what is not there");
+    }
 }

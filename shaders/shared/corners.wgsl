@@ -9,12 +9,11 @@
 @group(3) @binding(0) var<uniform> chunk: Chunk;
 @group(3) @binding(1) var<storage, read> counts: Counts;
 @group(3) @binding(2) var<storage, read> order: array<u32>; // cells, or spans of cells, back to front
-// Four corners a cell; per corner: clip xy; 1/z (orthographic: the depth) and scalar/z; three tent functions; then, of the first corner alone, at
-// the apex, the thickness (negative where the front is the interpolated side) and the change of scalar/z from the
-// interpolated to the other side; with BIVARIATE gradient/z and its change; with BANDS the lower piece, as 8 x piece
-// + 1 where the span is not clipped below + 2 where it is not above + 4 where it has no upper band, and the scalar is that
-// of the span. With SHADED the
-// gradient vector/z in view axes, and its change, come last.
+// Four corners a cell; per corner: clip xy; 1/z (orthographic: the depth) and scalar/z; three tent functions; then, of
+// the first corner alone, at the apex, the thickness (negative where the front is the interpolated side) and the change
+// of scalar/z from the interpolated to the other side; with BIVARIATE gradient/z and its change; with BANDS the lower
+// piece, as 8 x piece + 1 where the span is not clipped below + 2 where it is not above + 4 where it has no upper band,
+// and the scalar is that of the span. With SHADED the gradient vector/z in view axes, and its change, come last.
 //
 // Few and plain stores: on a software adapter they were most of the time of this pass.
 @group(3) @binding(5) var<storage, read_write> corners: array<f32>;
@@ -37,8 +36,8 @@ struct Apex {
     vector_change: vec3f,
 }
 
-// A cell, or span of one, from the eye. Its vertices are in front or behind: the mean of those in front lies before that of
-// the others, at the apex. A face opposite to a vertex behind is a front face.
+// A cell, or span of one, from the eye. Its vertices are in front or behind: the mean of those in front lies before that
+// of the others, at the apex. A face opposite to a vertex behind is a front face.
 struct SeenCell {
     tet: vec4u,
     // -1 where ascending ids are an odd permutation.

@@ -3,8 +3,9 @@
 #import shared/ray
 #import shared/transfer
 
-// Rays from cell to cell, front to back (HARC; Weiler et al. 2003). What is done with a segment, `compose` says, which the
-// passes define (raycast.wgsl, raylist.wgsl). The walk is that of src/cpu/walk.rs, where is told why
+// Rays from cell to cell, front to back (HARC; Weiler et al. 2003). What is done with an occupied cell that is passed,
+// `meet` says, and with a segment, `compose`; the passes define these (raycast.wgsl, raylist.wgsl). The walk is that of
+// src/cpu/walk.rs, where is told why
 // no ray gets lost: seen along the ray a cell's faces hold it either not at all, or once on the way in and once on the
 // way out, by signs that do not depend on rounding.
 //
@@ -15,11 +16,12 @@
 // they left in `states`. Devices stop what takes long, and lavapipe ends all loops of an invocation after 65,535 turns.
 
 @group(3) @binding(0) var<storage, read> occupied: array<u32>; // one bit a cell: not transparent
-// Where the sides of each group of linked cells around the eye begin, and the last's end, in this array; where each tile's
-// sides begin, and the last's end; sides around the eye; the tiles' sides. A side is eight times the cell, plus twice the corner that is not on it, plus one where the last two of the others,
-// ascending, are to be exchanged to be counter-clockwise from outside.
+// Where the sides of each group of linked cells around the eye begin, and the last's end, in this array; where each
+// tile's sides begin, and the last's end; sides around the eye; the tiles' sides. A side is eight times the cell, plus
+// twice the corner that is not on it, plus one where the last two of the others, ascending, are to be exchanged to be
+// counter-clockwise from outside.
 @group(3) @binding(1) var<storage, read> entries: array<u32>;
-// Four words of a vector a pixel of the slab (see `load_ray`).
+// Four words of a vector a pixel of the slab (see `load_way`).
 @group(3) @binding(4) var<storage, read_write> states: array<vec4u>;
 @group(3) @binding(5) var<storage, read_write> unfinished: atomic<u32>;
 // Cells entered, steps whose exit lies before their entry, and walks given up, in each tile.
@@ -35,8 +37,8 @@ const FAR = 1e30;
 const NO_SIDE = 0xffffffffu;
 // Mesh units: what lies nearer behind a place than this is at that place.
 override HAIR: f32;
-// Walks that overlap by less, mesh units, are said to meet.
-const TOUCH: f32 = 1e-5;
+// Mesh units: walks that overlap by less are said to meet.
+override TOUCH: f32;
 
 override MOST_TURNS: u32 = 8192u;
 
@@ -237,10 +239,14 @@ fn walk(ray: Ray, way: ptr<function, Way>) {
         let link = link_at(cell, left);
         weights = weights_of(t);
         is_edge_on = all(weights == vec3f(0.0));
+        let is_occupied = (occupied[cell >> 5u] & (1u << (cell & 31u))) != 0u;
+        if is_occupied {
+            meet();
+        }
         if !is_edge_on {
             let next = values_of(t, weights);
             if next.depth > (*way).reached {
-                if (occupied[cell >> 5u] & (1u << (cell & 31u))) != 0u {
+                if is_occupied {
                     compose(ray, at, next, way);
                 }
                 (*way).reached = next.depth;
@@ -279,7 +285,8 @@ fn start_of(front: Values, back: Values, reached: f32) -> Values {
 
 fn new_way() -> Way {
     let start = Entry(-FAR, 0u);
-    return Way(vec3f(0.0), 1.0, NO_SIDE, 0.0, -FAR, -FAR, 0u, false, start, Entry(FAR, NO_SIDE), 0u, NO_SIDE, 0u, 0u, 0u, 0u);
+    let next = Entry(FAR, NO_SIDE);
+    return Way(vec3f(0.0), 1.0, NO_SIDE, 0.0, -FAR, -FAR, 0u, false, start, next, 0u, NO_SIDE, 0u, 0u, 0u, 0u);
 }
 
 fn load_way(at: u32) -> Way {
@@ -347,7 +354,8 @@ fn trace(ray: Ray, list: vec2u, way: ptr<function, Way>) -> bool {
                     if !in_group || next.depth >= (*way).covered - HAIR {
                         // Cells around the eye that are not linked fill one place.
                         let begins_before = in_group && (*way).covered == -FAR && (*way).exit > -FAR;
-                        (*way).overlaps = (*way).overlaps || begins_before || (!in_group && next.depth < (*way).exit - TOUCH);
+                        let lies_before = !in_group && next.depth < (*way).exit - TOUCH;
+                        (*way).overlaps = (*way).overlaps || begins_before || lies_before;
                         if (*way).transmittance <= rays.least_transmittance {
                             return true;
                         }

@@ -94,9 +94,6 @@ pub struct Cast<T> {
     pub overlaps: bool,
 }
 
-/// Walks that overlap by less, mesh units, are said to meet.
-const TOUCH: f32 = 1e-5;
-
 /// A ray, and the walks that it has still to make.
 struct Course<'a> {
     number: usize,
@@ -148,7 +145,7 @@ impl<'a> Course<'a> {
     fn pass<const BIVARIATE: bool>(&mut self, mesh: &LinkedMesh, ended: &Ended) {
         self.exit = self.exit.max(ended.exit);
         let axes = &self.axes;
-        let before = f64::from(self.exit - TOUCH);
+        let before = f64::from(self.exit - LinkedMesh::TOUCH);
         let mut met = self.entries.clone().take_while(|entry| axes.at_depth(entry.depth) < before);
         let enters = |entry: &Entry| Face::new::<BIVARIATE>(mesh, axes, entry.side).is_inside;
         self.overlaps = self.overlaps || met.any(enters);

@@ -1,6 +1,7 @@
 //! Segments of rays that pass two cells at once: kept, and composed by their middles.
 
 use std::cell::RefCell;
+use std::cmp::Ordering;
 
 use glam::Vec4;
 use pulp::Simd;
@@ -52,7 +53,28 @@ impl<S: Simd> RaySink<S> for Listing<'_> {
 
     fn take(&mut self, lane: usize) -> Seen {
         let mut list = std::mem::take(&mut self.lists.borrow_mut()[lane]);
-        list.sort_by(|a, b| a.0.total_cmp(&b.0));
+        list.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| by_color(a.1, b.1)));
         list.into_iter().fold(Vec4::ZERO, |sum, (_, seen)| sum + (1.0 - sum.w) * seen)
+    }
+}
+
+/// Which of two segments at one depth comes first, as `compose.wgsl` has it: the more opaque one.
+fn by_color(a: Seen, b: Seen) -> Ordering {
+    let keys = |seen: Seen| [1.0 - seen.w, seen.x, seen.y, seen.z];
+    let pairs = keys(a).into_iter().zip(keys(b));
+    pairs.map(|(a, b)| a.total_cmp(&b)).find(|order| order.is_ne()).unwrap_or(Ordering::Equal)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colors_decide_at_one_depth() {
+        let [dim, red, green] = [[0.0, 0.0, 0.0, 0.2], [0.3, 0.1, 0.0, 0.5], [0.1, 0.4, 0.0, 0.5]].map(Vec4::from);
+        let mut seen = [dim, red, green];
+        seen.sort_by(|a, b| by_color(*a, *b));
+        assert_eq!(seen, [green, red, dim]);
+        assert_eq!(by_color(red, red), Ordering::Equal);
     }
 }

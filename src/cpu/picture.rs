@@ -88,7 +88,7 @@ impl<M: LaneMedium, const BIVARIATE: bool> WithSimd for Tile<'_, M, BIVARIATE> {
         let sink = Composite::new(simd, self.medium, empty, *least);
         let mut overlapping = Vec::new();
         let rays = (0..width * height).filter_map(ray);
-        let mut counts = setting.cast::<_, _, BIVARIATE>(simd, rays, sink, |number, cast| {
+        let counts = setting.cast::<_, _, BIVARIATE>(simd, rays, sink, |number, cast| {
             pixels[number] = over(cast.seen);
             if cast.overlaps {
                 overlapping.push(number as u32);
@@ -98,10 +98,8 @@ impl<M: LaneMedium, const BIVARIATE: bool> WithSimd for Tile<'_, M, BIVARIATE> {
             let lists = Lists::default();
             let sink = Listing { medium: self.alone, empty, lists: &lists };
             let rays = overlapping.into_iter().filter_map(ray);
-            let again = setting.cast::<_, _, BIVARIATE>(simd, rays, sink, |number, cast| {
-                pixels[number] = over(cast.seen);
-            });
-            counts = counts.plus(again);
+            // What they meet was counted.
+            setting.cast::<_, _, BIVARIATE>(simd, rays, sink, |number, cast| pixels[number] = over(cast.seen));
         }
         (pixels, counts)
     }

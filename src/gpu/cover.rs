@@ -5,7 +5,7 @@ use crate::renderer::Method;
 /// Triangles that cover the pixels of a cell, from four corners.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Cover {
-    /// The outline, in 1 or 2 triangles (`project.wgsl`).
+    /// The outline, in 1 or 2 triangles (`shared/outlines.wgsl`).
     #[default]
     Outline,
     /// The 1 to 3 front faces, and back faces that the rasteriser culls (`faces.wgsl`).

@@ -17,7 +17,7 @@ const STATE_BYTES: u64 = 32;
 /// Bytes of the states of a strip.
 const MOST_STATES: u64 = 64 << 20;
 
-/// Most fragments of a strip: 450 MiB in all.
+/// Most fragments of a strip: 448 MiB in all.
 const MOST_LISTED: u64 = 1 << 24;
 
 /// lavapipe ends the loops of 8 pixels at once after 65,535 turns.
@@ -27,7 +27,26 @@ const HARDWARE_TURNS: u32 = 100_000;
 /// Pixels of a workgroup of `compose.wgsl`.
 const GROUP: u32 = 64;
 
-/// Buffers and kernels of the lists of a picture.
+/// What is listed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Listed {
+    /// Cells' fragments, of all pixels.
+    Cells,
+    /// Segments of some rays: the other pixels stay as they are.
+    Rays,
+}
+
+impl Listed {
+    /// What to do where lists do not fit.
+    fn advice(self) -> &'static str {
+        match self {
+            Self::Cells => "render with --order centroid",
+            Self::Rays => "render with --device cpu",
+        }
+    }
+}
+
+/// Buffers and kernels of the lists of pictures.
 pub struct FragmentLists {
     /// Numbers the fragments of each row.
     pub rows: Kernel,
@@ -48,9 +67,30 @@ pub struct FragmentLists {
     colors: wgpu::Buffer,
     ranks: wgpu::Buffer,
     states: wgpu::Buffer,
-    most_listed: u64,
+    listed: Listed,
+    room: Room,
     /// Of the picture, pixels.
     pub size: [u32; 2],
+}
+
+/// What a strip holds at most.
+#[derive(Clone, Copy, Debug)]
+struct Room {
+    fragments: u64,
+    pixels: u64,
+}
+
+impl Room {
+    fn of(gpu: &Gpu) -> Self {
+        Self {
+            fragments: MOST_LISTED.min(gpu.max_binding / COLOR_BYTES),
+            pixels: gpu.max_binding.min(MOST_STATES) / STATE_BYTES,
+        }
+    }
+
+    fn holds(self, fragments: u64, pixels: u32) -> bool {
+        fragments <= self.fragments && u64::from(pixels) <= self.pixels
+    }
 }
 
 /// Pixels, row by row, whose lists fit at once.
@@ -86,46 +126,66 @@ impl FragmentLists {
         if gpu.is_software() { SOFTWARE_TURNS } else { HARDWARE_TURNS }
     }
 
-    /// For pictures of one size; `turns`: after which a dispatch leaves a pixel; `keeps_others`: pixels without fragments
-    /// stay as they are.
+    /// `turns`: after which a dispatch leaves a pixel.
     ///
     /// # Errors
-    /// A shader that does not compile; a picture whose pixels the device cannot count.
-    pub fn new(gpu: &Gpu, size: [u32; 2], turns: u32, keeps_others: bool) -> Result<Self> {
-        let constants = [("MOST_TURNS", f64::from(turns)), ("KEEPS_OTHERS", f64::from(u8::from(keeps_others)))];
-        let pixels = u64::from(size[0]) * u64::from(size[1]);
-        if pixels * 4 > gpu.max_binding {
-            return Err(Error::Device(format!(
-                "'{}' binds {} MiB at once, too little for the lists of {pixels} pixels: render a smaller picture, or \
-                 with --order centroid",
-                gpu.info.name,
-                gpu.max_binding >> 20
-            )));
-        }
+    /// A shader that does not compile.
+    pub fn new(gpu: &Gpu, turns: u32, listed: Listed) -> Result<Self> {
+        let keeps_others = f64::from(u8::from(listed == Listed::Rays));
+        let constants = [("MOST_TURNS", f64::from(turns)), ("KEEPS_OTHERS", keeps_others)];
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
-        let buffer = |label, bytes| gpu.buffer(label, bytes, usage);
+        let buffer = |label| gpu.buffer(label, 0, usage);
         Ok(Self {
             rows: gpu.kernel("list_rows", &[])?,
             compose: gpu.kernel("compose", &constants)?,
             strip: gpu.uniform("strip", &[layout::Strip::default()]),
-            fragments: buffer("fragments", pixels * 4),
-            row_totals: buffer("row_totals", u64::from(size[1]) * 4),
-            unfinished: buffer("unfinished", 4),
-            unlisted: buffer("unlisted", 4),
-            list_ends: buffer("list_ends", pixels * 4),
-            row_bases: buffer("row_bases", u64::from(size[1]) * 4),
-            depths: buffer("list_depths", 0),
-            colors: buffer("list_colors", 0),
-            ranks: buffer("list_ranks", 0),
-            states: buffer("list_states", 0),
-            most_listed: MOST_LISTED.min(gpu.max_binding / COLOR_BYTES),
-            size,
+            fragments: buffer("fragments"),
+            row_totals: buffer("row_totals"),
+            unfinished: buffer("unfinished"),
+            unlisted: buffer("unlisted"),
+            list_ends: buffer("list_ends"),
+            row_bases: buffer("row_bases"),
+            depths: buffer("list_depths"),
+            colors: buffer("list_colors"),
+            ranks: buffer("list_ranks"),
+            states: buffer("list_states"),
+            listed,
+            room: Room::of(gpu),
+            size: [0; 2],
         })
     }
 
-    /// Whether the lists are of pictures of this size.
-    pub fn are_of(&self, size: [u32; 2]) -> bool {
-        self.size == size
+    /// Whether the device can count the fragments of a picture's pixels.
+    pub fn can_count(gpu: &Gpu, size: [u32; 2]) -> bool {
+        count_bytes(size) <= gpu.max_binding
+    }
+
+    /// Makes room for the counts of a picture.
+    ///
+    /// # Errors
+    /// A picture whose pixels the device cannot count.
+    pub fn need_size(&mut self, gpu: &Gpu, size: [u32; 2]) -> Result<()> {
+        if !Self::can_count(gpu, size) {
+            return Err(Error::Device(format!(
+                "'{}' binds {} MiB at once, too little for the lists of {}x{} pixels: render a smaller picture, or {}",
+                gpu.info.name,
+                gpu.max_binding >> 20,
+                size[0],
+                size[1],
+                self.listed.advice()
+            )));
+        }
+        let (pixels, rows) = (count_bytes(size), u64::from(size[1]) * 4);
+        for (buffer, label, bytes) in [
+            (&mut self.fragments, "fragments", pixels),
+            (&mut self.list_ends, "list_ends", pixels),
+            (&mut self.row_totals, "row_totals", rows),
+            (&mut self.row_bases, "row_bases", rows),
+        ] {
+            grow(gpu, buffer, label, bytes, gpu.max_binding);
+        }
+        self.size = size;
+        Ok(())
     }
 
     /// Cuts the picture into strips, after the rows' fragments were numbered, and makes room for the largest.
@@ -144,33 +204,30 @@ impl FragmentLists {
             })
             .collect();
         gpu.write(&self.row_bases, 0, bytemuck::cast_slice(&bases));
-        let most_pixels = gpu.max_binding.min(MOST_STATES) / STATE_BYTES;
-        let width = self.size[0] as usize;
-        let ends = if totals.iter().any(|&total| u64::from(total) > self.most_listed) {
-            // Rare: a row that has to be cut.
-            gpu.read(&self.list_ends, self.fragments.size())?
-        } else {
+        let (width, room) = (self.size[0], self.room);
+        let ends: Vec<u32> = if totals.iter().all(|&total| room.holds(total.into(), width)) {
             Vec::new()
+        } else {
+            // Rare: a row that has to be cut.
+            gpu.read(&self.list_ends, count_bytes(self.size))?
         };
-        let ends_of = |row: usize| ends.get(row * width..(row + 1) * width).unwrap_or_default();
-        let strips = strips(&totals, ends_of, self.size[0], self.most_listed, most_pixels).ok_or_else(|| {
+        let strips = strips(&totals, &ends, width, room).ok_or_else(|| {
             Error::Device(format!(
-                "a pixel has more fragments than the {} that fit a binding of '{}': render with --order centroid",
-                self.most_listed, gpu.info.name
+                "a pixel has more fragments than the {} that fit a binding of '{}': {}",
+                room.fragments,
+                gpu.info.name,
+                self.listed.advice()
             ))
         })?;
         let listed = strips.iter().map(|s| s.listed).max().unwrap_or(0);
         let pixels = strips.iter().map(|s| u64::from(s.end - s.first)).max().unwrap_or(0);
-        for (buffer, label, bytes) in [
-            (&mut self.depths, "list_depths", listed * 4),
-            (&mut self.colors, "list_colors", listed * COLOR_BYTES),
-            (&mut self.ranks, "list_ranks", listed * 8),
-            (&mut self.states, "list_states", pixels * STATE_BYTES),
+        for (buffer, label, number, bytes, most) in [
+            (&mut self.depths, "list_depths", listed, 4, room.fragments),
+            (&mut self.colors, "list_colors", listed, COLOR_BYTES, room.fragments),
+            (&mut self.ranks, "list_ranks", listed, 8, room.fragments),
+            (&mut self.states, "list_states", pixels, STATE_BYTES, room.pixels),
         ] {
-            if buffer.size() < bytes {
-                // What the next view needs is a little more, perhaps.
-                *buffer = gpu.buffer(label, (bytes + bytes / 4).min(gpu.max_binding), buffer.usage());
-            }
+            grow(gpu, buffer, label, number * bytes, most * bytes);
         }
         Ok(strips)
     }
@@ -245,40 +302,44 @@ impl FragmentLists {
     }
 }
 
-/// Rows, one behind the other, as long as they fit; rows that do not are cut, given where the lists of their pixels end.
-/// `None` where a pixel's list does not fit.
-fn strips<'a>(
-    totals: &[u32],
-    ends_of: impl Fn(usize) -> &'a [u32],
-    width: u32,
-    most_listed: u64,
-    most_pixels: u64,
-) -> Option<Vec<Strip>> {
+/// Of a picture's counts.
+fn count_bytes(size: [u32; 2]) -> u64 {
+    u64::from(size[0]) * u64::from(size[1]) * 4
+}
+
+/// Makes a buffer anew where it is too small, with a little more, up to `most`, for the next view.
+fn grow(gpu: &Gpu, buffer: &mut wgpu::Buffer, label: &str, bytes: u64, most: u64) {
+    if buffer.size() < bytes {
+        *buffer = gpu.buffer(label, (bytes + bytes / 4).min(most), buffer.usage());
+    }
+}
+
+/// Rows, one behind the other, as long as they fit; rows that do not are cut, given where the lists of all pixels end in
+/// their rows. `None` where a pixel's list does not fit.
+fn strips(totals: &[u32], ends: &[u32], width: u32, room: Room) -> Option<Vec<Strip>> {
     let mut strips = Vec::new();
     let mut open = Strip { first: 0, end: 0, before: 0, listed: 0 };
     // Adds pixels to the open strip, or begins another one.
     let mut add = |pixels: u32, listed: u64| {
-        let fits = open.listed + listed <= most_listed && u64::from(open.end - open.first + pixels) <= most_pixels;
-        if !fits && open.end > open.first {
+        if !room.holds(open.listed + listed, open.end - open.first + pixels) && open.end > open.first {
             strips.push(open);
             open = Strip { first: open.end, end: open.end, before: open.before + open.listed, listed: 0 };
         }
         open.end += pixels;
         open.listed += listed;
-        // Alone in its strip, and still too much.
-        fits || (listed <= most_listed && u64::from(pixels) <= most_pixels)
+        room.holds(open.listed, open.end - open.first)
     };
     for (row, &total) in totals.iter().enumerate() {
-        if u64::from(total) <= most_listed && u64::from(width) <= most_pixels {
+        if room.holds(total.into(), width) {
             add(width, total.into());
-        } else {
-            let mut before = 0;
-            for &end in ends_of(row) {
-                if !add(1, (end - before).into()) {
-                    return None;
-                }
-                before = end;
+            continue;
+        }
+        let mut before = 0;
+        for &end in ends.get(row * width as usize..(row + 1) * width as usize)? {
+            if !add(1, (end - before).into()) {
+                return None;
             }
+            before = end;
         }
     }
     if open.end > open.first {
@@ -290,13 +351,14 @@ fn strips<'a>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gpu::shader::Module;
 
     /// Strips of rows whose pixels' lists have these lengths.
-    fn of(rows: &[[u32; 3]], most_listed: u64, most_pixels: u64) -> Option<Vec<[u64; 4]>> {
+    fn of(rows: &[[u32; 3]], fragments: u64, pixels: u64) -> Option<Vec<[u64; 4]>> {
         let totals: Vec<u32> = rows.iter().map(|row| row.iter().sum()).collect();
         let sum = |row: &[u32; 3]| [row[0], row[0] + row[1], row[0] + row[1] + row[2]];
-        let ends: Vec<[u32; 3]> = rows.iter().map(sum).collect();
-        let strips = strips(&totals, |row| &ends[row][..], 3, most_listed, most_pixels)?;
+        let ends: Vec<u32> = rows.iter().flat_map(sum).collect();
+        let strips = strips(&totals, &ends, 3, Room { fragments, pixels })?;
         Some(strips.iter().map(|s| [s.first.into(), s.end.into(), s.before, s.listed]).collect())
     }
 
@@ -310,5 +372,26 @@ mod tests {
         assert_eq!(of(&rows, 19, 100), Some(vec![[0, 10, 0, 19], [10, 12, 19, 18], [12, 15, 37, 3]]));
         assert_eq!(of(&rows, 8, 100), None);
         assert_eq!(of(&[[0, 0, 0]; 2], 8, 100), Some(vec![[0, 6, 0, 0]]));
+        // Each row is wider than a strip.
+        assert_eq!(of(&rows[..2], 100, 2), Some(vec![[0, 2, 0, 3], [2, 4, 3, 7], [4, 6, 10, 0]]));
+    }
+
+    #[test]
+    fn rows_whose_ends_are_not_known_are_not_lost() {
+        assert_eq!(strips(&[5], &[], 3, Room { fragments: 100, pixels: 2 }), None);
+    }
+
+    #[test]
+    fn the_shader_has_the_same_constants() {
+        let module = Module::new("compose").expect("a pass").naga;
+        let value = |name: &str| {
+            let constant = module.constants.iter().find(|(_, c)| c.name.as_deref() == Some(name)).expect(name).1;
+            match module.global_expressions[constant.init] {
+                naga::Expression::Literal(naga::Literal::U32(value)) => value,
+                ref other => panic!("{name}: {other:?}"),
+            }
+        };
+        assert_eq!((value("GROUP"), u64::from(value("STATE_VECTORS")) * 16), (GROUP, STATE_BYTES));
+        assert_eq!(module.entry_points[0].workgroup_size, [GROUP, 1, 1]);
     }
 }

@@ -10,7 +10,7 @@ use crate::gpu::frame;
 use crate::gpu::layout;
 use crate::gpu::light::{self, Shading};
 use crate::gpu::linked::LinkedBuffers;
-use crate::gpu::lists::FragmentLists;
+use crate::gpu::lists::{FragmentLists, Listed, Strip};
 use crate::gpu::rays;
 use crate::gpu::record::{Recorder, Work};
 use crate::gpu::renderer::unprepared;
@@ -24,16 +24,16 @@ use crate::renderer::{BufferSize, CellLayout, Frame, PassTime, RayCounts, Render
 use crate::scene::EmissionModel;
 use crate::tet::{LinkedMesh, TetMesh};
 
-/// Pixels along a tile's side: a workgroup each (`raycast.wgsl`).
+/// Pixels along a tile's side: a workgroup each (`shared/walk.wgsl`).
 const TILE: u32 = 8;
 
-/// Of a ray that has not come through (`raycast.wgsl`), bytes.
+/// Of a ray that has not come through (`shared/walk.wgsl`), bytes.
 const STATE_BYTES: u64 = 64;
 
 /// Kernels that are kept.
 const MOST_KERNELS: usize = 8;
 
-/// Words that count what rays of a tile met (`raycast.wgsl`).
+/// Words that count what rays of a tile met (`shared/walk.wgsl`).
 const TALLIES: usize = 3;
 
 /// Renders one mesh by ray casting (HARC; Weiler et al. 2003).
@@ -49,7 +49,9 @@ pub struct RayCaster {
     tallies: wgpu::Buffer,
     /// A count, and a bit a pixel: rays that pass two cells at once.
     overlapping: wgpu::Buffer,
+    /// Made when such rays were met.
     lists: Option<FragmentLists>,
+    list_turns: u32,
     known_kernels: VecDeque<Arc<CastKernels>>,
     scene: Option<Scene>,
     target: Option<Target>,
@@ -58,7 +60,7 @@ pub struct RayCaster {
 /// A pass that casts rays.
 struct Pass<'a> {
     kernel: &'a Kernel,
-    /// Where it lists segments, if it does.
+    /// Where it counts or lists segments, if it does.
     lists: Option<&'a FragmentLists>,
 }
 
@@ -80,6 +82,13 @@ struct CastKernels {
     raycast: Kernel,
     /// Counts, and lists, the segments of rays that pass two cells at once; made when such were met.
     list: OnceLock<[Kernel; 2]>,
+}
+
+/// What a frame found out.
+#[derive(Default)]
+struct Drawn {
+    passes: Vec<PassTime>,
+    notes: Vec<String>,
 }
 
 impl CastKernels {
@@ -105,6 +114,7 @@ impl RayCaster {
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
         let [entries, tallies, overlapping] = [(); 3].map(|()| gpu.buffer("rays", 0, usage));
         let runner = RayRunner::new(&gpu, TILE, STATE_BYTES);
+        let list_turns = FragmentLists::turns(&gpu);
         Ok(Self {
             gpu,
             mesh,
@@ -117,17 +127,21 @@ impl RayCaster {
             tallies,
             overlapping,
             lists: None,
+            list_turns,
             known_kernels: VecDeque::new(),
             scene: None,
             target: None,
         })
     }
 
-    /// The same, leaving rays to the next dispatch after so many turns of loops: how short dispatches are tested with small
-    /// meshes.
+    /// The same, leaving rays and their lists to the next dispatch after so many turns of loops, at least 2: how short
+    /// dispatches are tested with small meshes.
     #[must_use]
     pub fn leaving_rays_after(mut self, turns: u32) -> Self {
+        // The first turn of a dispatch finds a ray's walk, the second takes it on.
+        let turns = turns.max(2);
         self.runner.most_turns = turns;
+        self.list_turns = turns;
         self
     }
 
@@ -176,7 +190,7 @@ impl RayCaster {
         constants.push(("CULL", flag(self.settings.cull && emission == EmissionModel::Weighted)));
         constants.push(("PERSPECTIVE", flag(perspective)));
         constants.push(("MOST_TURNS", self.runner.most_turns.into()));
-        constants.push(("HAIR", eye::HAIR.into()));
+        constants.extend([("HAIR", eye::HAIR.into()), ("TOUCH", LinkedMesh::TOUCH.into())]);
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let cells = linked.cells.len() as u32;
         let occupied = self.gpu.buffer("occupied", u64::from(cells.div_ceil(256)) * 32, usage);
@@ -205,7 +219,7 @@ impl RayCaster {
     }
 
     /// Draws a frame; the picture is left in the target. Times of passes where asked.
-    fn draw_frame(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Vec<PassTime>> {
+    fn draw_frame(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Drawn> {
         light::check(frame.optics)?;
         let lens = Lens::new(frame.camera, frame.size, &*self.mesh);
         self.prepare_scene(frame, lens.perspective)?;
@@ -235,25 +249,41 @@ impl RayCaster {
             &mut Timed { timed, passes: &mut passes },
         )?;
         let overlapping: Vec<u32> = self.gpu.read(&self.overlapping, 4)?;
-        if overlapping != [0] {
-            self.cast_lists(&kernels, &mut uniform, frame, &mut Timed { timed, passes: &mut passes })?;
+        let overlapping = overlapping.first().copied().unwrap_or_default();
+        let mut notes = Vec::new();
+        if overlapping > 0 && FragmentLists::can_count(&self.gpu, frame.size) {
+            let to = &mut Timed { timed, passes: &mut passes };
+            let strips = self.cast_lists(&kernels, &mut uniform, frame, to)?;
+            let (segments, strips) = (strips.iter().map(|s| s.listed).sum::<u64>(), strips.len());
+            notes.push(format!(
+                "{overlapping} rays pass two cells at once: room for {segments} segments of them was made, in {strips} \
+                 strips, and they were composed by their depths"
+            ));
+        } else if overlapping > 0 {
+            notes.push(format!(
+                "{overlapping} rays pass two cells at once, and these are composed one behind the other: the picture is \
+                 too large for lists on '{}'; render a smaller one, or with --device cpu",
+                self.gpu.info.name
+            ));
         }
-        Ok(passes)
+        Ok(Drawn { passes, notes })
     }
 
     /// Casts the rays that pass two cells at once again, lists their segments, and composes these by their depths.
+    /// Returns the strips.
     fn cast_lists(
         &mut self,
         kernels: &CastKernels,
         uniform: &mut layout::Rays,
         frame: &Frame<'_>,
         to: &mut Timed<'_>,
-    ) -> Result<()> {
+    ) -> Result<Vec<Strip>> {
         let [count, list] = kernels.list(&self.gpu)?;
-        let mut lists = match self.lists.take().filter(|lists| lists.are_of(frame.size)) {
+        let mut lists = match self.lists.take() {
             Some(lists) => lists,
-            None => FragmentLists::new(&self.gpu, frame.size, FragmentLists::turns(&self.gpu), true)?,
+            None => FragmentLists::new(&self.gpu, self.list_turns, Listed::Rays)?,
         };
+        lists.need_size(&self.gpu, frame.size)?;
         let (gpu, target) = (&self.gpu, self.target.as_ref().ok_or_else(unprepared)?);
         let camera = gpu.uniform("frame", &[frame::camera_uniform(frame, &*self.mesh)]);
         let resources = Resources::default().with("frame", &camera).with_texture("picture", &target.picture);
@@ -268,7 +298,7 @@ impl RayCaster {
         let strips = lists.plan(gpu)?;
         recorder.encoder().clear_buffer(&lists.fragments, 0, None);
         recorder.submit();
-        for strip in strips {
+        for &strip in &strips {
             gpu.queue.write_buffer(&lists.strip, 0, bytemuck::bytes_of(&strip.uniform()));
             let [top, height] = strip.rows(frame.size[0]);
             let rows = [top / TILE, (top + height).div_ceil(TILE)];
@@ -278,7 +308,7 @@ impl RayCaster {
         lists.check(gpu)?;
         to.passes.extend(recorder.finish()?);
         self.lists = Some(lists);
-        Ok(())
+        Ok(strips)
     }
 
     /// Runs a pass over rows of tiles.
@@ -326,7 +356,7 @@ impl RayCaster {
             .with("occupied", &scene.occupied)
     }
 
-    fn stats(&self, passes: Vec<PassTime>) -> Result<Stats> {
+    fn stats(&self, Drawn { passes, notes }: Drawn) -> Result<Stats> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let cells = self.linked.cells.len() as u64;
         let bits: Vec<u32> = self.gpu.read(&scene.occupied, scene.occupied.size())?;
@@ -342,27 +372,32 @@ impl RayCaster {
             ("entries", &self.entries),
             ("tallies", &self.tallies),
             ("states", self.runner.states()),
+            ("overlapping", &self.overlapping),
         ];
+        let lists = self.lists.iter().flat_map(FragmentLists::sizes);
         let kind = scene.transfer.describe(self.settings.integral, None);
         let layout = if self.store.layout == CellLayout::Fast { "fast" } else { "compact" };
         Ok(Stats {
             cells: vec![("in the mesh".to_owned(), cells), ("that the function can show".to_owned(), visible)],
             passes,
-            buffers: self.store.list().into_iter().chain(frame).map(size).collect(),
+            buffers: self.store.list().into_iter().chain(frame).map(size).chain(lists).collect(),
             adapter: self.gpu.describe(),
             pipelines: format!("{kind}; cells are held in the {layout} layout"),
             rays: Some(RayCounts { steps: total(0), repaired: total(1), lost: total(2) }),
             order: "along each ray: exact".to_owned(),
             inversions: None,
-            notes: Vec::new(),
+            notes,
         })
     }
 }
 
 impl Renderer for RayCaster {
     fn render(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Rendered> {
-        let passes = self.draw_frame(frame, timed)?;
-        let stats = self.stats(if timed { passes } else { Vec::new() })?;
+        let mut drawn = self.draw_frame(frame, timed)?;
+        if !timed {
+            drawn.passes.clear();
+        }
+        let stats = self.stats(drawn)?;
         let image = self.target.as_ref().ok_or_else(unprepared)?.read(&self.gpu)?;
         Ok(Rendered { image, stats })
     }

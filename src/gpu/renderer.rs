@@ -12,7 +12,7 @@ use crate::gpu::device::{Gpu, Kernel, Resources};
 use crate::gpu::frame;
 use crate::gpu::layout;
 use crate::gpu::light::{self, Shading};
-use crate::gpu::lists::FragmentLists;
+use crate::gpu::lists::{FragmentLists, Listed};
 use crate::gpu::mesh::TetRange;
 use crate::gpu::ordering::{Keys, Ordering};
 use crate::gpu::record::{Recorder, Work};
@@ -24,8 +24,8 @@ use crate::gpu::target::Target;
 use crate::gpu::transfer::TransferBuffers;
 use crate::plan::near::{self, NearCut};
 use crate::renderer::{
-    BlendFormat, BufferSize, Frame, Method, OrderMethod, Rendered, Renderer, SegmentIntegral, Settings, SortPlace,
-    Stats,
+    BlendFormat, BufferSize, Frame, Method, OrderChoice, OrderMethod, Rendered, Renderer, SegmentIntegral, Settings,
+    SortPlace, Stats,
 };
 use crate::scene::{EmissionModel, Projection, TransferFunction};
 use crate::tet::TetMesh;
@@ -112,16 +112,16 @@ impl GpuRenderer {
         })
     }
 
-    /// The same, leaving a pixel's list to the next dispatch after so many turns of loops: how short dispatches are tested
-    /// with short lists.
+    /// The same, leaving a pixel's list to the next dispatch after so many turns of loops, at least 1: how short
+    /// dispatches are tested with short lists.
     #[must_use]
     pub fn leaving_lists_after(mut self, turns: u32) -> Self {
-        self.most_turns = turns;
+        self.most_turns = turns.max(1);
         self
     }
 
-    /// The cells of the last frame, back to front, as the raster pass drew them. Pieces of cells that the near plane
-    /// cut are numbered from the mesh's end, up to a multiple of 16,384.
+    /// The cells of the last frame, as they were drawn: back to front, unless their fragments were listed. Pieces of
+    /// cells that the near plane cut are numbered from the mesh's end, up to a multiple of 16,384.
     ///
     /// # Errors
     /// A lost device.
@@ -257,7 +257,7 @@ impl GpuRenderer {
     fn draw_frame(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Drawn> {
         light::check(frame.optics)?;
         let perspective = matches!(frame.camera.projection, Projection::Perspective { .. });
-        let choice = self.ordering.choose(&self.mesh, self.settings.order, frame);
+        let (choice, note) = self.choose_order(frame);
         let lists = choice.method == OrderMethod::PerPixel;
         let variant = Variant { perspective, cover: self.cover, shading: Shading::of(frame.optics), lists };
         self.prepare_scene(frame.transfer, frame.optics.emission, variant)?;
@@ -284,18 +284,24 @@ impl GpuRenderer {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let all = self.resources(&scene.transfer);
         let mut recorder = Recorder::new(&self.gpu, timed);
-        let order = self.sort_cells(&mut recorder, &all, pieces, uniform.vertex_count, keys)?;
-        let mut notes = Vec::new();
+        self.list_cells(&mut recorder, &all, pieces, uniform.vertex_count, keys)?;
+        let cells = &self.store.cells;
+        let order = match &lists {
+            None => self.store.sorter.sort(&self.gpu, &mut recorder, &cells.counts, &cells.keys, &cells.order)?,
+            Some(_) => None,
+        };
+        let mut notes = Vec::from_iter(note);
         let cycles = self.ordering.cycles(choice.method);
         if cycles > 0 {
-            notes.push(format!("{cycles} circles of cells hide one another: in each, two are in the wrong order"));
+            notes.push(format!(
+                "{cycles} circles of cells hide one another: in each, at most one pair is in the wrong order"
+            ));
         }
         if let Some(p) = pieces {
             notes.push(format!("cells near the eye were cut: {} pieces of them are drawn instead", p.range.count));
         }
         let passes = if let Some(lists) = &mut lists {
-            let cells = order.map_or(uniform.most_drawn, |order| order.len() as u32);
-            let (strips, passes) = self.list_and_compose(recorder, lists, clipped, cells)?;
+            let (strips, passes) = self.list_and_compose(recorder, lists, clipped)?;
             let (fragments, strips) = (strips.iter().map(|s| s.listed).sum::<u64>(), strips.len());
             notes.push(format!("{fragments} fragments were listed, in {strips} strips, and composed by their depths"));
             passes
@@ -326,10 +332,29 @@ impl GpuRenderer {
     fn need_lists(&mut self, size: [u32; 2], clipped: bool) -> Result<FragmentLists> {
         let scene = self.scene.as_mut().ok_or_else(unprepared)?;
         scene.need_lists(&self.gpu, clipped)?;
-        match self.lists.take().filter(|lists| lists.are_of(size)) {
-            Some(lists) => Ok(lists),
-            None => FragmentLists::new(&self.gpu, size, self.most_turns, false),
+        let mut lists = match self.lists.take() {
+            Some(lists) => lists,
+            None => FragmentLists::new(&self.gpu, self.most_turns, Listed::Cells)?,
+        };
+        lists.need_size(&self.gpu, size)?;
+        Ok(lists)
+    }
+
+    /// The order of a frame. Cells are sorted, and a note says so, where lists were chosen, but not asked for, and the
+    /// device cannot count the picture's fragments.
+    fn choose_order(&self, frame: &Frame<'_>) -> (OrderChoice, Option<String>) {
+        let choice = self.ordering.choose(&self.mesh, self.settings.order, frame);
+        let lists = choice.method == OrderMethod::PerPixel && self.settings.order != OrderMethod::PerPixel;
+        if !lists || FragmentLists::can_count(&self.gpu, frame.size) {
+            return (choice, None);
         }
+        let (name, [width, height]) = (&self.gpu.info.name, frame.size);
+        let why = format!("{}, and {width}x{height} pixels are too many for lists on '{name}'", choice.why);
+        let note = format!(
+            "cells are sorted by their centroids, many in the wrong order: {width}x{height} pixels are too many for \
+             lists on '{name}'; render a smaller picture, or with --order exact"
+        );
+        (OrderChoice { method: OrderMethod::Centroid, why }, Some(note))
     }
 
     /// Makes the raster passes of this frame: without the steps that deep cells take, where some draws have none.
@@ -345,15 +370,15 @@ impl GpuRenderer {
         Ok(())
     }
 
-    /// Projects vertices, drops cells outside the picture, lists and sorts the others; the order where it is known.
-    fn sort_cells(
+    /// Projects vertices, drops cells outside the picture, and lists the others with their sort keys.
+    fn list_cells(
         &self,
         recorder: &mut Recorder<'_>,
         all: &Resources<'_>,
         pieces: Option<Pieces>,
         vertices: u32,
         keys: Keys,
-    ) -> Result<Option<Vec<u32>>> {
+    ) -> Result<()> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let keys = scene.keys(keys).ok_or_else(unprepared)?;
         let gpu = &self.gpu;
@@ -369,8 +394,7 @@ impl GpuRenderer {
         for (range, part) in &ranges {
             recorder.compute(keys, &keys.bind(gpu, part)?, words(range))?;
         }
-        let cells = &self.store.cells;
-        self.store.sorter.sort(gpu, recorder, &cells.counts, &cells.keys, &cells.order)
+        Ok(())
     }
 
     /// The frame as shaders see it.

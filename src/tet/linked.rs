@@ -50,6 +50,9 @@ impl LinkedMesh {
     /// The link of a boundary face.
     pub const NO_LINK: u32 = u32::MAX;
 
+    /// Mesh units: walks of one ray that overlap by less are said to meet.
+    pub const TOUCH: f32 = 1e-5;
+
     /// Finds neighbours and the boundary, and reorders. Needs about 100 bytes a tetrahedron while at work.
     pub fn new(mesh: &TetMesh) -> Self {
         let order = morton_order(mesh);

@@ -3,7 +3,7 @@
 
 mod agreement;
 mod integrals;
-mod overlap;
+pub mod overlap;
 mod peers;
 mod real;
 mod watertight;

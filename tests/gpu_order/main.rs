@@ -5,6 +5,8 @@
 mod cells;
 #[path = "../common/mod.rs"]
 mod common;
+mod compose;
 mod per_pixel;
 mod real;
+mod room;
 mod scenes;

@@ -5,23 +5,25 @@ use crate::error::Result;
 use crate::gpu::device::DrawKernel;
 use crate::gpu::lists::{FragmentLists, Strip};
 use crate::gpu::record::{Recorder, Work};
+use crate::gpu::sort;
 use crate::renderer::PassTime;
 
 impl GpuRenderer {
-    /// Counts the sorted cells' fragments, `most` cells at most, and lists and composes them strip by strip. Returns the strips
-    /// and the passes' times.
+    /// Counts the fragments of the cells in the picture, in any order, and lists and composes them strip by strip.
+    /// Returns the strips and the passes' times.
     pub(super) fn list_and_compose(
         &self,
         mut recorder: Recorder<'_>,
         lists: &mut FragmentLists,
         clipped: bool,
-        most: u32,
     ) -> Result<(Vec<Strip>, Vec<PassTime>)> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let kernels = scene.lists(clipped).ok_or_else(unprepared)?;
         let gpu = &self.gpu;
+        recorder.submit();
+        let cells = sort::survivors(gpu, &self.store.cells.counts)?;
         lists.clear(&mut recorder);
-        self.draw_listed(&mut recorder, lists, (&kernels.tally, clipped), most, None)?;
+        self.draw_listed(&mut recorder, lists, (&kernels.tally, clipped), cells, None)?;
         let resources = self.resources(&scene.transfer);
         let all = lists.offer(resources.clone());
         recorder.compute(&lists.rows, &lists.rows.bind(gpu, &all)?, Work::Groups(lists.size[1]))?;
@@ -32,7 +34,7 @@ impl GpuRenderer {
         recorder.encoder().clear_buffer(&lists.fragments, 0, None);
         for &strip in &strips {
             gpu.queue.write_buffer(&lists.strip, 0, bytemuck::bytes_of(&strip.uniform()));
-            self.draw_listed(&mut recorder, lists, (&kernels.list, clipped), most, Some(strip))?;
+            self.draw_listed(&mut recorder, lists, (&kernels.list, clipped), cells, Some(strip))?;
             lists.compose(gpu, &mut recorder, &all, strip)?;
         }
         lists.check(gpu)?;
@@ -45,7 +47,7 @@ impl GpuRenderer {
         recorder: &mut Recorder<'_>,
         lists: &FragmentLists,
         (kernel, clipped): (&DrawKernel, bool),
-        most: u32,
+        cells: u32,
         strip: Option<Strip>,
     ) -> Result<()> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
@@ -53,7 +55,7 @@ impl GpuRenderer {
         let store = &self.store;
         let all = lists.offer(self.resources(&scene.transfer));
         let groups = kernel.bind(&self.gpu, &all)?;
-        let chunks = most.max(1).div_ceil(store.chunk_cells);
+        let chunks = cells.max(1).div_ceil(store.chunk_cells);
         for chunk in 0..chunks {
             // Corners of a single chunk stay.
             if strip.is_none() || chunks > 1 {
