@@ -357,30 +357,3 @@ fn counts_are_those_of_the_picture() {
     assert_eq!(Some(small), alone);
     assert!(large.steps > 3 * small.steps, "{large:?} and {small:?}");
 }
-
-/// Only a mesh with a cell on top of another has errors explained by that.
-#[test]
-fn overlaps_are_found_where_they_are() {
-    let conforming = box_mesh(4, DVec3::ZERO, DVec3::ONE, |p| [p.x, p.y]);
-    let mut folded = conforming.clone();
-    let own = folded.tets[100].map(|v| {
-        folded.vertices.push(folded.vertices[v as usize]);
-        folded.scalar.push(0.5);
-        folded.gradient_magnitude.push(0.5);
-        folded.vertices.len() as u32 - 1
-    });
-    Arc::make_mut(&mut folded.tets).push(own);
-    let overlaps = |mesh: TetMesh| {
-        let mesh = Arc::new(mesh);
-        let transfer = Axes::of(&mesh).curve(&[(0.0, GOLD, 1.0)]);
-        let (_, camera) = cameras(&mesh)[0];
-        let oracle = Oracle::new(mesh.clone());
-        let frame =
-            Frame { camera: &camera, transfer: &transfer, optics: &Optics::PLAIN, size: SIZE, background: [0.0; 4] };
-        let explainer = Explainer { mesh: &mesh, frame, view: oracle.view(&frame).expect("a view"), shift: SHIFT };
-        let pixels = (0..SIZE[0] * SIZE[1]).map(|i| [i % SIZE[0], i / SIZE[0]].map(|n| f64::from(n) + 0.5));
-        pixels.filter(|&position| explainer.cells_overlap(position)).count()
-    };
-    let (none, some) = (overlaps(conforming), overlaps(folded));
-    assert!(none == 0 && some > 10, "{none} and {some}");
-}

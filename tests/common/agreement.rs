@@ -8,7 +8,7 @@ use tetralux::image::{Comparison, Image};
 use tetralux::oracle::{Oracle, View};
 use tetralux::renderer::Frame;
 use tetralux::scene::Projection;
-use tetralux::tet::{FACES, TetMesh};
+use tetralux::tet::TetMesh;
 
 /// What is asked of a picture.
 #[derive(Clone, Copy, Debug)]
@@ -28,8 +28,6 @@ pub enum Cause {
     Surroundings,
     /// The shares of the cells at one edge do.
     FewCells,
-    /// Two cells fill one place: which of them is before the other is anybody's choice.
-    Overlap,
     /// The opacity errs as much, which no order of cells changes: where orders are tested, another thing is at fault.
     Opacity,
     Unknown,
@@ -98,9 +96,9 @@ impl fmt::Display for Verdict {
         let c = &self.comparison;
         write!(f, "{:6.2} dB  99.9% {:.1e}  max {:.1e}", c.psnr, c.percentile_99_9, c.max)?;
         if self.limits.explained_above.is_finite() {
-            let causes = [Cause::Surroundings, Cause::FewCells, Cause::Overlap, Cause::Opacity, Cause::Unknown];
+            let causes = [Cause::Surroundings, Cause::FewCells, Cause::Opacity, Cause::Unknown];
             let (counts, above) = (causes.map(|cause| self.count(cause)), self.limits.explained_above);
-            write!(f, "  above {above:.0e}: {counts:?} (surroundings, few cells, overlap, opacity, unknown)")?;
+            write!(f, "  above {above:.0e}: {counts:?} (surroundings, few cells, opacity, unknown)")?;
         }
         Ok(())
     }
@@ -127,43 +125,7 @@ impl Explainer<'_> {
         if self.view.sensitivity(self.frame.transfer, position, self.shift) >= error {
             return Cause::Surroundings;
         }
-        if self.few_cells(position) >= error {
-            return Cause::FewCells;
-        }
-        if self.cells_overlap(position) { Cause::Overlap } else { Cause::Unknown }
-    }
-
-    /// Whether the ray passes two cells at once, for longer than rounding explains: of a mesh that is folded.
-    pub fn cells_overlap(&self, position: [f64; 2]) -> bool {
-        const ROUNDING: f64 = 1e-6;
-        let ray = self.frame.camera.ray(self.frame.size, position);
-        let origin = self.mesh.mesh_from_data(ray.origin);
-        let direction = ray.direction.normalize();
-        let inside = |tet: &[u32; 4]| {
-            let corners = tet.map(|v| self.mesh.vertices[v as usize]);
-            let mut part = [0.0_f64, f64::INFINITY];
-            for face in FACES {
-                let [a, b, c] = face.map(|i| corners[i]);
-                let outward = (b - a).cross(c - a);
-                let (speed, height) = (outward.dot(direction), outward.dot(a - origin));
-                if speed > 0.0 {
-                    part[1] = part[1].min(height / speed);
-                } else if speed < 0.0 {
-                    part[0] = part[0].max(height / speed);
-                } else if height < 0.0 {
-                    return None;
-                }
-            }
-            (part[1] - part[0] > ROUNDING).then_some(part)
-        };
-        let mut parts: Vec<[f64; 2]> = self.mesh.tets.iter().filter_map(inside).collect();
-        parts.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        let mut end = f64::NEG_INFINITY;
-        parts.iter().any(|&[enter, exit]| {
-            let overlaps = end - enter > ROUNDING;
-            end = end.max(exit);
-            overlaps
-        })
+        if self.few_cells(position) >= error { Cause::FewCells } else { Cause::Unknown }
     }
 
     /// Largest change of the pixel's opacity as the depths of a few cells alone take their values within [`SNAP`]: of as
