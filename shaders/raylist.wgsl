@@ -1,9 +1,10 @@
 #import shared/walk
 #import shared/lists
 
-// Segments of the rays that pass two cells at once, which raycast.wgsl has found: counted, while the strip is empty, or
-// listed, in any order. One pipeline does both, so that walks are the same ones, and all occupied cells are counted: no
-// rounding makes more segments than were counted.
+// Segments of the rays that pass two cells at once, which raycast.wgsl has found: counted, or listed, in any order. All
+// occupied cells are counted, whatever is seen of them: rounding may differ between the two pipelines. A uniform that chose
+// between them in one would be a condition of uniforms alone, and compiling such writes beyond arrays (lavapipe of Mesa
+// 22.3.6, by valgrind).
 
 @group(3) @binding(6) var<storage, read> overlapping: array<u32>;
 // Of each pixel: cells counted, or segments listed so far.
@@ -14,20 +15,19 @@
 // Segments beyond those counted.
 @group(3) @binding(2) var<storage, read_write> unlisted: atomic<u32>;
 
+// Off: they are counted.
+override LISTS: bool = false;
+
 var<private> pixel_number: u32;
 
-fn lists() -> bool {
-    return strip.end_pixel > strip.first_pixel;
-}
-
 fn meet() {
-    if !lists() {
+    if !LISTS {
         fragments[pixel_number]++;
     }
 }
 
 fn compose(ray: Ray, start: Values, back: Values, way: ptr<function, Way>) {
-    if !lists() {
+    if !LISTS {
         return;
     }
     let front = start_of(start, back, (*way).reached);
@@ -58,7 +58,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: ve
     if (overlapping[1u + (pixel_number >> 5u)] & (1u << (pixel_number & 31u))) == 0u {
         return;
     }
-    if lists() && (pixel_number < strip.first_pixel || pixel_number >= strip.end_pixel) {
+    if LISTS && (pixel_number < strip.first_pixel || pixel_number >= strip.end_pixel) {
         return;
     }
     let at = STATE_VECTORS * (in_slab.y * rays.size.x + in_slab.x);

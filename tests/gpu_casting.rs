@@ -35,8 +35,7 @@ fn caster(gpu: &Gpu, mesh: &Arc<TetMesh>) -> RayCaster {
     RayCaster::new(gpu.clone(), mesh.clone(), Settings::default()).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// Devices, the second of which binds so many bytes. lavapipe (Mesa 22.3.6) crashes now and then where a device goes as soon
-/// as it has drawn: tests keep theirs.
+/// Devices, the second of which binds so many bytes.
 fn devices(bytes: u64) -> [Gpu; 2] {
     [gpu::device(), Gpu::with_binding_limit(gpu::choice(), bytes).unwrap_or_else(|e| panic!("{e}"))]
 }

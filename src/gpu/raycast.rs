@@ -81,7 +81,7 @@ struct CastKernels {
     mark: Kernel,
     raycast: Kernel,
     /// Counts, and lists, the segments of rays that pass two cells at once; made when such were met.
-    list: OnceLock<Kernel>,
+    list: OnceLock<[Kernel; 2]>,
 }
 
 /// What a frame found out.
@@ -92,9 +92,10 @@ struct Drawn {
 }
 
 impl CastKernels {
-    fn list(&self, gpu: &Gpu) -> Result<&Kernel> {
+    fn list(&self, gpu: &Gpu) -> Result<&[Kernel; 2]> {
         if self.list.get().is_none() {
-            let _ = self.list.set(gpu.kernel("raylist", &self.constants)?);
+            let made = |lists: f64| gpu.kernel("raylist", &[&self.constants[..], &[("LISTS", lists)]].concat());
+            let _ = self.list.set([made(0.0)?, made(1.0)?]);
         }
         self.list.get().ok_or_else(unprepared)
     }
@@ -277,7 +278,7 @@ impl RayCaster {
         frame: &Frame<'_>,
         to: &mut Timed<'_>,
     ) -> Result<Vec<Strip>> {
-        let kernel = kernels.list(&self.gpu)?;
+        let [count, list] = kernels.list(&self.gpu)?;
         let mut lists = match self.lists.take() {
             Some(lists) => lists,
             None => FragmentLists::new(&self.gpu, self.list_turns, Listed::Rays)?,
@@ -289,10 +290,8 @@ impl RayCaster {
         let mut recorder = Recorder::new(gpu, to.timed);
         lists.clear(&mut recorder);
         recorder.submit();
-        // While the strip is empty, segments are counted.
-        gpu.queue.write_buffer(&lists.strip, 0, bytemuck::bytes_of(&layout::Strip::default()));
         let rows = frame.size[1].div_ceil(TILE);
-        self.cast(&Pass { kernel, lists: Some(&lists) }, uniform, [0, rows], to)?;
+        self.cast(&Pass { kernel: count, lists: Some(&lists) }, uniform, [0, rows], to)?;
         let groups = lists.rows.bind(gpu, &lists.offer(resources.clone()))?;
         recorder.compute(&lists.rows, &groups, Work::Groups(frame.size[1]))?;
         recorder.submit();
@@ -303,7 +302,7 @@ impl RayCaster {
             gpu.queue.write_buffer(&lists.strip, 0, bytemuck::bytes_of(&strip.uniform()));
             let [top, height] = strip.rows(frame.size[0]);
             let rows = [top / TILE, (top + height).div_ceil(TILE)];
-            self.cast(&Pass { kernel, lists: Some(&lists) }, uniform, rows, to)?;
+            self.cast(&Pass { kernel: list, lists: Some(&lists) }, uniform, rows, to)?;
             lists.compose(gpu, &mut recorder, &lists.offer(resources.clone()), strip)?;
         }
         lists.check(gpu)?;

@@ -13,8 +13,7 @@ use crate::common::rainbow::rainbow;
 use crate::per_pixel::by;
 use crate::scenes::{cameras, mapped_delaunay, moved, plain};
 
-/// Devices, the second of which binds so many bytes. lavapipe (Mesa 22.3.6) crashes now and then where a device goes as soon
-/// as it has drawn: tests keep theirs.
+/// Devices, the second of which binds so many bytes.
 fn devices(bytes: u64) -> [Gpu; 2] {
     [gpu::device(), Gpu::with_binding_limit(gpu::choice(), bytes).unwrap_or_else(|e| panic!("{e}"))]
 }
