@@ -2,9 +2,8 @@
 #import shared/lists
 
 // Segments of the rays that pass two cells at once, which raycast.wgsl has found: counted, or listed, in any order. All
-// occupied cells are counted, whatever is seen of them: rounding may differ between the two pipelines. A uniform that chose
-// between them in one would be a condition of uniforms alone, and compiling such writes beyond arrays (lavapipe of Mesa
-// 22.3.6, by valgrind).
+// occupied cells are counted, whatever is seen of them: rounding may differ between the two pipelines. With one, told by a
+// uniform what to do, lavapipe (Mesa 22.3.6) wrote beyond arrays while it compiled.
 
 @group(3) @binding(6) var<storage, read> overlapping: array<u32>;
 // Of each pixel: cells counted, or segments listed so far.

@@ -89,7 +89,8 @@ impl GridCaster {
     /// grids.
     #[must_use]
     pub fn leaving_rays_after(mut self, turns: u32) -> Self {
-        self.runner.most_turns = turns;
+        // One turn is the loop's own.
+        self.runner.most_turns = turns.max(2);
         self
     }
 
