@@ -119,9 +119,6 @@ fn pictures_of_uneven_grids_agree() {
     let place = |at: DVec3| DVec3::new(0.1 * at.x * at.x, 2.0 - 0.3 * at.y, 0.02 * (1.45_f64.powf(at.z) - 1.0));
     let mesh = placed([7, 6, 9], place, waves);
     agrees_of("uneven", &mesh, Share::All, |grid| octants(grid, PERSPECTIVE)[2..6].to_vec());
-    agrees_of("uneven, flat", &mesh, Share::All, |grid| {
-        octants(grid, Projection::Orthographic { height: 5.0 })[3..5].to_vec()
-    });
     // Where voxels are small, and before where they are large.
     agrees_of("uneven, within", &mesh, Share::Far, |grid| {
         let bounds = grid.bounds_in_data();
