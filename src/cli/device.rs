@@ -73,17 +73,16 @@ fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<
 
 /// Whether a grid needs no mesh: a graphics device that draws the scene without one.
 pub(super) fn takes_grids(device: Device, settings: Settings, optics: &Optics) -> bool {
-    let is_there = match device {
-        Device::Cpu | Device::Oracle => false,
-        Device::Gpu | Device::Software => true,
-        Device::Auto => Gpu::new(DeviceChoice::Any).is_ok(),
+    let choice = match device {
+        Device::Cpu | Device::Oracle => return false,
+        Device::Auto | Device::Gpu => DeviceChoice::Any,
+        Device::Software => DeviceChoice::Software,
     };
-    let method = match settings.method {
-        Method::Auto | Method::RayCast => true,
-        Method::Project => settings.blend != BlendFormat::F16,
-        Method::CellCast => false,
-    };
-    is_there && method && !optics.uses_gradients()
+    if settings.method == Method::CellCast || optics.uses_gradients() {
+        return false;
+    }
+    let blends = settings.method == Method::Project;
+    !(blends && settings.blend == BlendFormat::F16) && Gpu::new(choice).is_ok_and(|gpu| !blends || gpu.blends_f32())
 }
 
 /// A renderer of a grid's implied tetrahedra, or of those in a box. Rays are the default: what they take does not grow with

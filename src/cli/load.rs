@@ -57,8 +57,13 @@ pub(super) enum Wanted {
     Mesh,
 }
 
-/// Either, telling the same.
-pub(super) fn domain(source: &SourceArgs, field: Option<&str>, wanted: Wanted) -> Result<Domain> {
+/// Either, telling the same; `takes_grids` is asked where the mesh could be one.
+pub(super) fn domain(
+    source: &SourceArgs,
+    field: Option<&str>,
+    wanted: Wanted,
+    takes_grids: impl FnOnce() -> bool,
+) -> Result<Domain> {
     let mesh = mesh(source, arrays(field))?;
     if wanted == Wanted::Grid && (source.weld || source.split == Some(Split::Six)) {
         let text =
@@ -67,7 +72,7 @@ pub(super) fn domain(source: &SourceArgs, field: Option<&str>, wanted: Wanted) -
     }
     let is_plain = || {
         let is_finite = mesh.arrays.iter().all(|array| array.values.par_iter().all(|v| v.is_finite()));
-        !source.weld && source.split != Some(Split::Six) && is_finite && Grid::check(&mesh).is_ok()
+        !source.weld && source.split != Some(Split::Six) && is_finite && Grid::check(&mesh).is_ok() && takes_grids()
     };
     if wanted == Wanted::Mesh || (wanted == Wanted::GridIfPossible && !is_plain()) {
         let (mesh, census) = cut(mesh, source, field)?;

@@ -21,12 +21,11 @@ pub(super) fn run(args: &RenderArgs) -> anyhow::Result<()> {
     let start = Instant::now();
     let wanted = match args.choices.settings().order {
         OrderMethod::Structured => Wanted::Grid,
-        OrderMethod::Auto if device::takes_grids(args.device, args.choices.settings(), &job.scene.optics) => {
-            Wanted::GridIfPossible
-        }
+        OrderMethod::Auto => Wanted::GridIfPossible,
         _ => Wanted::Mesh,
     };
-    match load::domain(&args.source, field, wanted)? {
+    let takes_grids = || device::takes_grids(args.device, args.choices.settings(), &job.scene.optics);
+    match load::domain(&args.source, field, wanted, takes_grids)? {
         load::Domain::Grid(grid) => {
             let grid = Arc::new(grid);
             let make = |wish: &Wish<'_>, _: &ProgressBar| device::grid_renderer(&grid, wish, args.choices.clip);

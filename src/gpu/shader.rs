@@ -161,6 +161,16 @@ pub struct Module {
 }
 
 impl Module {
+    /// A constant that the host has, too.
+    #[cfg(test)]
+    pub(super) fn constant(&self, name: &str) -> u32 {
+        let constant = self.naga.constants.iter().find(|(_, c)| c.name.as_deref() == Some(name)).expect(name).1;
+        match self.naga.global_expressions[constant.init] {
+            naga::Expression::Literal(naga::Literal::U32(value)) => value,
+            ref other => panic!("{name}: {other:?}"),
+        }
+    }
+
     /// Composes, parses and validates the pass `name`.
     ///
     /// # Errors

@@ -8,7 +8,6 @@ use super::{clipped_part, write_grid};
 use crate::error::Result;
 use crate::gpu::device::{Gpu, Kernel, Resources};
 use crate::gpu::layout;
-use crate::gpu::light;
 use crate::gpu::rays;
 use crate::gpu::record::{Recorder, Work};
 use crate::gpu::renderer::unprepared;
@@ -119,7 +118,6 @@ impl GridCaster {
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let blocks = self.gpu.buffer("blocks", bricks as u64 * 8, usage);
         let camera = self.gpu.uniform("frame", &[layout::Frame { vertex_count: bricks as u32, ..Default::default() }]);
-        write_grid(&self.gpu, &self.samples, &self.grid, &self.part, [0; 3], None);
         let mark = self.gpu.kernel("grid_marks", &constants)?;
         let resources = transfer.offer(self.samples.resources()).with("frame", &camera).with("blocks", &blocks);
         let mut recorder = Recorder::new(&self.gpu, false);
@@ -133,13 +131,12 @@ impl GridCaster {
     /// Draws a frame; the picture is left in the target. Times of passes where asked.
     pub(super) fn draw_frame(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Vec<PassTime>> {
         super::check(frame.optics)?;
-        light::check(frame.optics)?;
         let lens = Lens::new(frame.camera, frame.size, &*self.grid);
+        write_grid(&self.gpu, &self.samples, &self.grid, &self.part, [0; 3], None);
         self.prepare_scene(frame, lens.perspective)?;
         if self.target.as_ref().is_none_or(|t| t.size != frame.size) {
             self.target = Some(Target::new(&self.gpu, frame.size, false)?);
         }
-        write_grid(&self.gpu, &self.samples, &self.grid, &self.part, [0; 3], None);
         let tiles = frame.size.map(|n| n.div_ceil(TILE));
         self.runner.need_states(&self.gpu, frame.size)?;
         grow(&self.gpu, &mut self.tallies, "tallies", u64::from(tiles[0]) * u64::from(tiles[1]) * 4)?;
@@ -223,15 +220,9 @@ mod tests {
 
     #[test]
     fn the_shader_has_the_same_constants() {
-        let module = Module::new("grid_cast").expect("a pass").naga;
-        let value = |name: &str| {
-            let constant = module.constants.iter().find(|(_, c)| c.name.as_deref() == Some(name)).expect(name).1;
-            match module.global_expressions[constant.init] {
-                naga::Expression::Literal(naga::Literal::U32(value)) => value,
-                ref other => panic!("{name}: {other:?}"),
-            }
-        };
+        let module = Module::new("grid_cast").expect("a pass");
+        let value = |name| module.constant(name);
         assert_eq!((value("TILE"), value("STATE_VECTORS") * 16), (TILE, STATE_BYTES as u32));
-        assert_eq!(module.entry_points[0].workgroup_size, [TILE, TILE, 1]);
+        assert_eq!(module.naga.entry_points[0].workgroup_size, [TILE, TILE, 1]);
     }
 }
