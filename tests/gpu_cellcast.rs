@@ -19,10 +19,11 @@ use tetralux::scene::{Camera, Curve, CurveNode, Projection, TransferFunction, Wi
 use tetralux::tet::TetMesh;
 
 const SIZE: [u32; 2] = [128, 128];
-/// What differs is rounding, and the few pixels that the rasteriser gives to other triangles. Measured: 124.1 dB, and at
-/// most 5.8e-5.
-const MOST_ERROR: f64 = 2e-4;
-const LEAST_PSNR: f64 = 115.0;
+/// What differs is rounding, and pixels at the edge between a cell's two triangles, which the rasteriser gives to the other
+/// one: outlines may be cut along a back edge where that leaves wider triangles, and are nearer to the truth by up to
+/// 12 dB. Measured: 104.2 dB, and at most 9.5e-4.
+const MOST_ERROR: f64 = 2e-3;
+const LEAST_PSNR: f64 = 101.0;
 
 /// Colour changes all over the scalar's range, so that any exchange of two cells on a ray is seen.
 fn colorful(mesh: &TetMesh) -> TransferFunction {
@@ -78,7 +79,7 @@ fn front_faces_give_the_pictures_of_outlines() {
 }
 
 /// Cells of both parities, from all sides: every class, and the faces that the rasteriser culls, are met. The faces are few
-/// and large, so that no pixel lies at an edge.
+/// and large, so that few pixels lie at an edge.
 #[test]
 fn a_single_cell_is_whole_from_all_sides() {
     let both = box_mesh(1, DVec3::splat(-1.0), DVec3::splat(1.0), |p| [p.x + 0.3 * p.y, 0.0]);
@@ -99,7 +100,8 @@ fn a_single_cell_is_whole_from_all_sides() {
             let [outlines, faces] = renderers.each_mut().map(|r| draw(r, &camera, &transfer, [64, 64]).image);
             let c = Comparison::new(&faces, &outlines).expect("equal sizes");
             assert!(outlines.pixels.iter().any(|p| p[3] > 0.1), "{tet:?}, view {i}: nothing is seen");
-            assert!(c.max < 2e-5, "{tet:?}, view {i}: {c}");
+            // Measured: 1.8e-4 in one pixel at such an edge, elsewhere 1e-5.
+            assert!(c.max < 4e-4 && c.psnr > 108.0, "{tet:?}, view {i}: {c}");
         }
     }
 }

@@ -51,7 +51,7 @@ struct SeenCell {
     scalars: vec4f,
     gradients: vec4f,
     apex: Apex,
-    // Of the vertices that surround the apex, 1 / (share in it, as a mean on screen).
+    // 1 / (share in the apex, as a mean on screen of the vertices of that side).
     peaks: vec4f,
     span: u32,
 }
@@ -73,8 +73,10 @@ const SHADED_FLOATS: u32 = 6u; // more
 // How much larger cells are drawn, pixels: twice the rasteriser's grid.
 const HAIR: f32 = 0.0078125;
 const NO_CUT: f32 = 2.0;
-// At most: the corners of needles would be far away.
+// At most, where the corners of needles would be far away; and by no more than the outline's own size, or a part of a
+// pixel: beyond the ends of needles rounding has the last word on whether the tent is positive.
 override LONGEST_HAIR: f32;
+const SHORT_HAIR: f32 = 0.25;
 
 // Volume of the eye and a face (perspective), or the face's area seen along the view (orthographic), times 6 or 2.
 // The two cells at a face pass its vertices in the same order and get the same bits.
@@ -180,8 +182,8 @@ fn seen_cell(entry: u32) -> SeenCell {
         seen.heights = vec4f(dot(frame.forward, p0.xyz - frame.reference), dot(frame.forward, p1.xyz - frame.reference),
                              dot(frame.forward, p2.xyz - frame.reference), dot(frame.forward, p3.xyz - frame.reference));
     }
-    // A tent function is 1 / (share of its corner) there, 0 at the others, and 1 at the apex.
-    let shares = depths * select(front_weights * scales.x, back_weights * scales.y, seen.count == 1u);
+    // A tent function is 1 / (share of its corner) there, 0 at the others of its side, and 1 at the apex.
+    let shares = depths * (front_weights * scales.x + back_weights * scales.y);
     seen.peaks = 1.0 / max(shares, vec4f(1e-7));
     return seen;
 }
@@ -225,7 +227,8 @@ fn growth_about(middle: vec2f, a: vec2f, b: vec2f, c: vec2f, d: vec2f) -> f32 {
     let s = (d - middle) * half_size;
     let inner = min(min(line_distance(p, q), line_distance(q, r)), min(line_distance(r, s), line_distance(s, p)));
     let outer = max(max(length(p), length(q)), max(length(r), length(s)));
-    return min(HAIR / max(inner, 1e-30), LONGEST_HAIR / max(outer, 1e-30));
+    let longest = min(max(SHORT_HAIR, outer), LONGEST_HAIR);
+    return min(HAIR / max(inner, 1e-30), longest / max(outer, 1e-30));
 }
 
 fn put_corner(at: u32, corner: Corner, middle: Corner, growth: f32) {

@@ -15,8 +15,8 @@
 // Which cell a pixel is in is then decided by the tent, in f32.
 
 // Corner numbers around the outline. Class 1 (three vertices of one sign, the fourth behind or before them): the three,
-// the first twice. Class 2: front, back, front, back: the outline is cut along the front edge, so that the front is one
-// plane over each triangle.
+// the first twice. Class 2: front, back, front, back: cut along the front edge, the front is one plane over each triangle,
+// and cut along the back edge the back is.
 fn outline(front: vec4<bool>, count: u32) -> vec4u {
     if count == 2u {
         if front.x == front.y {
@@ -40,6 +40,16 @@ fn outline(front: vec4<bool>, count: u32) -> vec4u {
     return vec4u(0u, 1u, 2u, 0u);
 }
 
+// How wide the narrower triangle is of an outline that is cut between its first and third corner, less a factor of the
+// cut's length.
+fn cut_width(seen: SeenCell, ring: vec4u) -> f32 {
+    let a = clip_of(seen.tet[ring.x]);
+    let ac = clip_of(seen.tet[ring.z]) - a;
+    let ab = clip_of(seen.tet[ring.y]) - a;
+    let ad = clip_of(seen.tet[ring.w]) - a;
+    return min(abs(ac.x * ab.y - ac.y * ab.x), abs(ac.x * ad.y - ac.y * ad.x));
+}
+
 @compute @workgroup_size(256)
 fn main(@builtin(global_invocation_id) id: vec3u) {
     let place = id.x;
@@ -48,7 +58,15 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     let seen = seen_cell(order[rank]);
-    let ring = outline(seen.front, seen.count);
+    var ring = outline(seen.front, seen.count);
+    // Of one vertex in front of three, the back is one plane and the front is three.
+    var is_back = seen.count == 1u;
+    if seen.count == 2u {
+        // A corner all but on one of these edges leaves a needle on its one side. Not for less: the same cell, rounded
+        // otherwise, should be cut alike.
+        is_back = cut_width(seen, ring.yzwx) > 2.0 * cut_width(seen, ring);
+        ring = select(ring, ring.yzwx, is_back);
+    }
     var a = corner_of(seen, ring.x);
     var b = corner_of(seen, ring.y);
     var c = corner_of(seen, ring.z);
@@ -57,7 +75,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     var growth: f32;
     a.tent.x = seen.peaks[ring.x];
     if seen.count == 2u {
-        // The front edge's ends have the first and third function; the second does not cut.
+        // The edge's ends have the first and third function; the second does not cut.
         d = corner_of(seen, ring.w);
         c.tent.z = seen.peaks[ring.z];
         a.tent.y = NO_CUT;
@@ -80,6 +98,5 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     put_corner(at + size, b, middle, growth);
     put_corner(at + 2u * size, c, middle, growth);
     put_corner(at + 3u * size, d, middle, growth);
-    // Of one vertex in front of three, the back is one plane and the front is three.
-    put_apex(place, seen, seen.count == 1u);
+    put_apex(place, seen, is_back);
 }
