@@ -1,7 +1,8 @@
 //! Integrals on the device: the constants that choose them, the tables that they look up, and what they refuse.
 
 use crate::error::{Error, Result};
-use crate::gpu::device::{Gpu, Resources};
+use crate::gpu::device::Gpu;
+use crate::gpu::kernel::Resources;
 use crate::gpu::record::{Recorder, Work};
 use crate::renderer::SegmentIntegral;
 use crate::scene::{EmissionModel, TransferFunction};

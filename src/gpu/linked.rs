@@ -3,7 +3,8 @@
 use rayon::prelude::*;
 
 use crate::error::{Error, Result};
-use crate::gpu::device::{Gpu, Resources};
+use crate::gpu::device::Gpu;
+use crate::gpu::kernel::Resources;
 use crate::gpu::mesh::relative_gradients;
 use crate::renderer::CellLayout;
 use crate::tet::{Cell, LinkedMesh, TetMesh};

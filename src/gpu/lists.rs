@@ -3,7 +3,8 @@
 //! lost.
 
 use crate::error::{Error, Result};
-use crate::gpu::device::{Gpu, Kernel, Resources};
+use crate::gpu::device::Gpu;
+use crate::gpu::kernel::{Kernel, Resources};
 use crate::gpu::layout;
 use crate::gpu::record::{Recorder, Work};
 use crate::renderer::BufferSize;

@@ -1,12 +1,12 @@
 //! Ray casting on the GPU: one compute pass walks every pixel's ray from cell to cell.
 
-use std::collections::VecDeque;
 use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
 
 use crate::error::Result;
-use crate::gpu::device::{Gpu, Kernel, Resources};
+use crate::gpu::device::Gpu;
 use crate::gpu::frame;
+use crate::gpu::kernel::{Kernel, Resources};
 use crate::gpu::layout;
 use crate::gpu::light::{self, Shading};
 use crate::gpu::linked::LinkedBuffers;
@@ -30,9 +30,6 @@ const TILE: u32 = 8;
 /// Of a ray that has not come through (`shared/walk.wgsl`), bytes.
 const STATE_BYTES: u64 = 64;
 
-/// Kernels that are kept.
-const MOST_KERNELS: usize = 8;
-
 /// Words that count what rays of a tile met (`shared/walk.wgsl`).
 const TALLIES: usize = 3;
 
@@ -52,7 +49,6 @@ pub struct RayCaster {
     /// Made when such rays were met.
     lists: Option<FragmentLists>,
     list_turns: u32,
-    known_kernels: VecDeque<Arc<CastKernels>>,
     scene: Option<Scene>,
     target: Option<Target>,
 }
@@ -74,8 +70,7 @@ struct Scene {
     occupied: wgpu::Buffer,
 }
 
-/// Kernels, and what they are specialised to: functions of the same kinds share them, since compiling takes longer than
-/// a frame.
+/// Kernels, and what they are specialised to.
 struct CastKernels {
     constants: Vec<(&'static str, f64)>,
     mark: Kernel,
@@ -128,7 +123,6 @@ impl RayCaster {
             overlapping,
             lists: None,
             list_turns,
-            known_kernels: VecDeque::new(),
             scene: None,
             target: None,
         })
@@ -194,28 +188,15 @@ impl RayCaster {
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let cells = linked.cells.len() as u32;
         let occupied = self.gpu.buffer("occupied", u64::from(cells.div_ceil(256)) * 32, usage);
-        let kernels = self.kernels(constants)?;
+        let mark = self.gpu.kernel("occupied", &constants)?;
+        let raycast = self.gpu.kernel("raycast", &constants)?;
+        let kernels = Arc::new(CastKernels { constants, mark, raycast, list: OnceLock::new() });
         let mut recorder = Recorder::new(&self.gpu, false);
         let resources = transfer.offer(self.store.resources()).with("marks", &occupied);
         recorder.compute(&kernels.mark, &kernels.mark.bind(&self.gpu, &resources)?, Work::Items(cells))?;
         recorder.submit();
         self.scene = Some(Scene { transfer, perspective, shading, kernels, occupied });
         Ok(())
-    }
-
-    /// Kernels of these constants: those that were made before, or new ones.
-    fn kernels(&mut self, constants: Vec<(&'static str, f64)>) -> Result<Arc<CastKernels>> {
-        if let Some(known) = self.known_kernels.iter().find(|k| k.constants == constants) {
-            return Ok(Arc::clone(known));
-        }
-        let mark = self.gpu.kernel("occupied", &constants)?;
-        let raycast = self.gpu.kernel("raycast", &constants)?;
-        let made = Arc::new(CastKernels { constants, mark, raycast, list: OnceLock::new() });
-        if self.known_kernels.len() == MOST_KERNELS {
-            self.known_kernels.pop_front();
-        }
-        self.known_kernels.push_back(Arc::clone(&made));
-        Ok(made)
     }
 
     /// Draws a frame; the picture is left in the target. Times of passes where asked.

@@ -4,7 +4,8 @@
 use std::time::{Duration, Instant};
 
 use crate::error::Result;
-use crate::gpu::device::{DrawKernel, Gpu, Kernel};
+use crate::gpu::device::Gpu;
+use crate::gpu::kernel::{DrawKernel, Kernel};
 use crate::renderer::PassTime;
 
 /// Most passes of one frame that are timed; the rest run all the same.

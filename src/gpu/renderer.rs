@@ -8,8 +8,9 @@ use std::time::{Duration, Instant};
 
 use crate::error::{Error, Result};
 use crate::gpu::cover::Cover;
-use crate::gpu::device::{Gpu, Kernel, Resources};
+use crate::gpu::device::Gpu;
 use crate::gpu::frame;
+use crate::gpu::kernel::{Kernel, Resources};
 use crate::gpu::layout;
 use crate::gpu::light::{self, Shading};
 use crate::gpu::lists::{FragmentLists, Listed};

@@ -1,7 +1,8 @@
 //! Passes that cast rays, in dispatches that a device does not stop.
 
 use crate::error::{Error, Result};
-use crate::gpu::device::{Gpu, Kernel, Resources};
+use crate::gpu::device::Gpu;
+use crate::gpu::kernel::{Kernel, Resources};
 use crate::gpu::layout;
 use crate::gpu::record::{Recorder, Work};
 use crate::gpu::renderer::unprepared;

@@ -2,11 +2,11 @@
 
 use crate::error::Result;
 use crate::gpu::cover::Cover;
-use crate::gpu::device::{DrawKernel, Gpu, Kernel};
+use crate::gpu::device::Gpu;
+use crate::gpu::kernel::{DrawKernel, Kernel};
 use crate::gpu::layout::BandTotals;
 use crate::gpu::light::Shading;
 use crate::gpu::ordering::Keys;
-use crate::gpu::shader::Module;
 use crate::gpu::transfer::TransferBuffers;
 
 /// What kernels are specialised to, besides the transfer function.
@@ -160,7 +160,7 @@ impl SceneKernels {
         let full = ["vertex", "fragment"];
         let resolve = |constants: &[_]| {
             let targets = [target(wgpu::TextureFormat::Rgba32Float, None)];
-            gpu.draw_kernel(Module::new("resolve")?, full, constants, &targets, &[], None)
+            gpu.draw_kernel(("resolve", false), full, constants, &targets, &[], None)
         };
         Ok(Self {
             variant,
@@ -321,11 +321,10 @@ impl CornerKind {
         let corners =
             wgpu::VertexBufferLayout { array_stride, step_mode: wgpu::VertexStepMode::Vertex, attributes: &attributes };
         let [vertex, fragment] = raster_entries(self.bivariate, self.in_spans, self.shaded, ending);
-        let module = Module::new(pass)?;
-        let (module, scale) = if clipped { (module.in_perspective(), 1.0) } else { (module, 1.0 / GUARD) };
+        let scale = if clipped { 1.0 } else { 1.0 / GUARD };
         let constants = [constants, &[("CLIP_SCALE", scale)]].concat();
         let entries = [vertex.as_str(), fragment.as_str()];
-        gpu.draw_kernel(module, entries, &constants, targets, &[Some(corners)], cover.culled())
+        gpu.draw_kernel((pass, clipped), entries, &constants, targets, &[Some(corners)], cover.culled())
     }
 }
 

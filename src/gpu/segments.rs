@@ -1,8 +1,9 @@
 //! Segments on the device, each under widgets of its own: what the integrals are checked with, without a mesh.
 
 use crate::error::{Error, Result};
-use crate::gpu::device::{Gpu, Kernel, Resources};
+use crate::gpu::device::Gpu;
 use crate::gpu::integral;
+use crate::gpu::kernel::{Kernel, Resources};
 use crate::gpu::layout::{SegmentCase, SegmentResult};
 use crate::gpu::record::{Recorder, Work};
 use crate::gpu::widgets::{Axes, WidgetSet};

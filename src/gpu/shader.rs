@@ -1,6 +1,7 @@
 //! Shader sources: embedded, joined by `#import`, parsed once for their bindings.
 
 use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::error::{Error, Result};
 
@@ -176,7 +177,10 @@ impl Module {
     /// # Errors
     /// The parser's or validator's message, with the shader's name.
     pub fn new(name: &'static str) -> Result<Self> {
-        let source = compose(name)?;
+        Self::from_source(name, compose(name)?)
+    }
+
+    fn from_source(name: &'static str, source: String) -> Result<Self> {
         let module = naga::front::wgsl::parse_str(&source)
             .map_err(|e| Error::Device(format!("shader '{name}' does not parse: {}", e.emit_to_string(&source))))?;
         let info = naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::all())
@@ -220,11 +224,22 @@ impl Module {
         Ok(Self { name, source, bindings: bindings.into_values().collect(), naga: module })
     }
 
-    /// The same with every value interpolated in perspective.
-    #[must_use]
-    pub fn in_perspective(mut self) -> Self {
-        self.source = self.source.replace("@interpolate(linear) ", "");
-        self
+    /// The same, composed once; `in_perspective`: nothing is interpolated linearly.
+    ///
+    /// # Errors
+    /// As [`Module::new`].
+    pub fn known(name: &'static str, in_perspective: bool) -> Result<Arc<Self>> {
+        type Known = BTreeMap<(&'static str, bool), Arc<Module>>;
+        static KNOWN: Mutex<Known> = Mutex::new(BTreeMap::new());
+        let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(module) = known.get(&(name, in_perspective)) {
+            return Ok(Arc::clone(module));
+        }
+        let source = compose(name)?;
+        let source = if in_perspective { source.replace("@interpolate(linear) ", "") } else { source };
+        let module = Arc::new(Self::from_source(name, source)?);
+        known.insert((name, in_perspective), Arc::clone(&module));
+        Ok(module)
     }
 
     /// The size in bytes of the WGSL struct `name`, and its members' names and offsets.

@@ -3,7 +3,8 @@
 use rayon::prelude::*;
 
 use crate::error::Result;
-use crate::gpu::device::{Gpu, Kernel, Resources};
+use crate::gpu::device::Gpu;
+use crate::gpu::kernel::{Kernel, Resources};
 use crate::gpu::layout::Counts;
 use crate::gpu::record::{Recorder, Work};
 

@@ -3,7 +3,8 @@
 use crate::error::{Error, Result};
 use crate::gpu::cells::CellBuffers;
 use crate::gpu::cover::Cover;
-use crate::gpu::device::{Gpu, Resources};
+use crate::gpu::device::Gpu;
+use crate::gpu::kernel::Resources;
 use crate::gpu::layout;
 use crate::gpu::mesh::{MeshBuffers, TetRange, part_size, ranges};
 use crate::gpu::sort::Sorter;

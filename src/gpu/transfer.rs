@@ -1,8 +1,9 @@
 //! The transfer function on the device: normalised axes, mesh-space lengths, and the constants that specialise shaders.
 
 use crate::error::{Error, Result};
-use crate::gpu::device::{Gpu, Resources};
+use crate::gpu::device::Gpu;
 use crate::gpu::integral;
+use crate::gpu::kernel::Resources;
 use crate::gpu::layout::Piece;
 use crate::gpu::store::{DEEP_SPAN, SPAN_BITS};
 use crate::gpu::widgets::{Axes, MOST_KNOT_PIECES, MOST_WIDGETS, WidgetSet};

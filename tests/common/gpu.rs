@@ -3,7 +3,8 @@
 //! They stand in binaries named `gpu_...`, so that a machine without a graphics driver leaves them out by name and says
 //! so (`cargo nextest run -E 'not binary(/^gpu_/)'`); where they run, having no adapter is a failure.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::ThreadId;
 
 use tetralux::gpu::{DeviceChoice, Gpu, GpuRenderer};
 use tetralux::image::Image;
@@ -37,12 +38,25 @@ pub fn by_centroids() -> Settings {
     by(Method::Project)
 }
 
-/// An opened device.
+/// The thread's device: a test's renderers share it, and with it the kernels. Those of tests before go, because software
+/// adapters keep what they drew with.
 pub fn device() -> Gpu {
-    Gpu::new(choice()).unwrap_or_else(|e| panic!("{e}"))
+    static OPEN: Mutex<Vec<(ThreadId, Gpu)>> = Mutex::new(Vec::new());
+    const MOST: usize = 4;
+    let mut open = OPEN.lock().unwrap_or_else(PoisonError::into_inner);
+    let thread = std::thread::current().id();
+    if let Some((_, gpu)) = open.iter().find(|(of, _)| *of == thread) {
+        return gpu.clone();
+    }
+    let gpu = Gpu::new(choice()).unwrap_or_else(|e| panic!("{e}"));
+    if open.len() == MOST {
+        open.remove(0);
+    }
+    open.push((thread, gpu.clone()));
+    gpu
 }
 
-/// A renderer on a device of its own.
+/// A renderer on it.
 pub fn renderer(mesh: &Arc<TetMesh>, settings: Settings) -> GpuRenderer {
     GpuRenderer::new(device(), mesh.clone(), settings).unwrap_or_else(|e| panic!("{e}"))
 }

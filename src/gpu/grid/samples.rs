@@ -3,7 +3,8 @@
 use rayon::prelude::*;
 
 use crate::error::{Error, Result};
-use crate::gpu::device::{Gpu, Resources};
+use crate::gpu::device::Gpu;
+use crate::gpu::kernel::Resources;
 use crate::gpu::layout;
 use crate::plan::voxels::BRICK;
 use crate::tet::{Axis, Domain as _, Grid};

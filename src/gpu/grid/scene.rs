@@ -2,14 +2,14 @@
 
 use crate::error::Result;
 use crate::gpu::cover::Cover;
-use crate::gpu::device::{DrawKernel, Gpu, Kernel, Resources};
+use crate::gpu::device::Gpu;
 use crate::gpu::grid::store::GridStore;
+use crate::gpu::kernel::{DrawKernel, Kernel, Resources};
 use crate::gpu::layout::{self, BrickCount};
 use crate::gpu::light::Shading;
 use crate::gpu::record::{Recorder, Work};
 use crate::gpu::renderer::PAIRS_PAY;
 use crate::gpu::scene::{BACK_TO_FRONT, CornerKind, LONGEST_HAIR, Spans, target};
-use crate::gpu::shader::Module;
 use crate::gpu::store::DEEP_SPAN;
 use crate::gpu::transfer::TransferBuffers;
 use crate::renderer::{SegmentIntegral, Settings};
@@ -96,14 +96,7 @@ impl GridScene {
         constants.push(("INDICES", f64::from(Cover::Outline.indices())));
         let f32_format = wgpu::TextureFormat::Rgba32Float;
         let draw = |pass, blend| {
-            gpu.draw_kernel(
-                Module::new(pass)?,
-                ["vertex", "fragment"],
-                &constants,
-                &[target(f32_format, blend)],
-                &[],
-                None,
-            )
+            gpu.draw_kernel((pass, false), ["vertex", "fragment"], &constants, &[target(f32_format, blend)], &[], None)
         };
         Ok(Self {
             perspective,

@@ -2,7 +2,7 @@
 
 use super::{EMPTY, GpuRenderer, SOFTWARE_DRAW, ZERO, unprepared};
 use crate::error::Result;
-use crate::gpu::device::Resources;
+use crate::gpu::kernel::Resources;
 use crate::gpu::record::{Recorder, Work};
 use crate::gpu::slabs::Slabs;
 use crate::gpu::sort;

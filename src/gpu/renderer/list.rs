@@ -2,7 +2,7 @@
 
 use super::{GpuRenderer, unprepared};
 use crate::error::Result;
-use crate::gpu::device::DrawKernel;
+use crate::gpu::kernel::DrawKernel;
 use crate::gpu::lists::{FragmentLists, Strip};
 use crate::gpu::record::{Recorder, Work};
 use crate::gpu::sort;
