@@ -14,6 +14,30 @@ mod integrals_page;
 #[path = "../examples/orders.rs"]
 #[expect(dead_code, reason = "its main is another program's")]
 mod orders;
+#[path = "../examples/papers.rs"]
+#[expect(dead_code, reason = "its main is another program's")]
+mod papers;
+
+/// Every line is drawn, by each program and integral.
+#[test]
+fn papers_lines_are_measured() {
+    let mesh = tetralux::mesh::synth::Sample::Tangle.mesh(3_000);
+    let (mesh, _) =
+        tetralux::tet::TetMesh::new(mesh, &Default::default(), tetralux::tet::HexSplit::default()).expect("a mesh");
+    let mesh = Arc::new(mesh);
+    let size = [48, 32];
+    let univariate = papers::univariate("tangle", &mesh, size).expect("lines");
+    let bivariate = papers::bivariate("tangle", &mesh, size).expect("lines");
+    assert_eq!((univariate.len(), bivariate.len()), (12, 4));
+    let grid = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/xml/image.vti");
+    let volume = papers::volume("grid", &grid, size).expect("lines");
+    for line in univariate.iter().chain(&bivariate).chain(&volume) {
+        assert!(!line.contains("not drawn") && line.matches('|').count() == 8, "{line}");
+    }
+    assert!(volume[0].contains('%') && !volume[1].contains('%'), "{volume:?}");
+    let missing = papers::line("grid", "project", &Err(tetralux::Error::Asked("no such file".into())));
+    assert!(missing.contains("no such file"), "{missing}");
+}
 
 #[test]
 fn orders_stand_in_the_order_of_their_page() {
