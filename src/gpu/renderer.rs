@@ -342,7 +342,8 @@ impl GpuRenderer {
         let choice = self.ordering.choose(&self.mesh, self.settings.order, frame);
         let lists = choice.method == OrderMethod::PerPixel && self.settings.order != OrderMethod::PerPixel;
         if !lists || FragmentLists::can_count(&self.gpu, frame.size) {
-            return (choice, None);
+            let warning = choice.warning();
+            return (choice, warning);
         }
         let (name, [width, height]) = (&self.gpu.info.name, frame.size);
         let why = format!("{}, and {width}x{height} pixels are too many for lists on '{name}'", choice.why);
@@ -350,7 +351,7 @@ impl GpuRenderer {
             "cells are sorted by their centroids, many in the wrong order: {width}x{height} pixels are too many for \
              lists on '{name}'; render a smaller picture, or with --order exact"
         );
-        (OrderChoice { method: OrderMethod::Centroid, why }, Some(note))
+        (OrderChoice { method: OrderMethod::Centroid, why, doubt: None }, Some(note))
     }
 
     /// Makes the raster passes of this frame: without the steps that deep cells take, where some draws have none.

@@ -46,12 +46,15 @@ impl fmt::Display for OrderMethod {
 const LEAST_CHANGE: f64 = 1.0 / 512.0;
 
 /// An order, and why it was taken.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct OrderChoice {
     /// Never [`OrderMethod::Auto`].
     pub method: OrderMethod,
     /// For people.
     pub why: String,
+    /// By how much a channel may be wrong, where the order asked for is not known to be right; infinite where nothing
+    /// is known.
+    pub doubt: Option<f64>,
 }
 
 impl OrderChoice {
@@ -67,20 +70,31 @@ impl OrderChoice {
         diagonal: f64,
         census: impl Fn() -> &'a PowerCensus,
     ) -> Self {
-        let of = |method, why: &str| Self { method, why: why.to_owned() };
+        let of = |method, why: &str| Self { method, why: why.to_owned(), doubt: None };
+        let change = largest_change(transfer, optics, diagonal);
+        let asked_for = |why: &str, is_right: bool| Self {
+            doubt: (!is_right && change > LEAST_CHANGE).then_some(change),
+            ..of(asked, why)
+        };
         match asked {
             OrderMethod::Auto => {}
             OrderMethod::Power => {
-                let why = match census().proof() {
+                let proof = census().proof();
+                let why = match proof {
                     Proof::Order => "asked for; exact",
                     Proof::Neighbors => "asked for; exact between neighbours, unknown across gaps",
                     Proof::Nothing => "asked for; not exact for this mesh",
                 };
-                return of(asked, why);
+                return asked_for(why, proof == Proof::Order);
+            }
+            OrderMethod::Centroid => return asked_for("asked for", false),
+            OrderMethod::Mpvonc => {
+                let c = census();
+                let has_gaps = !c.is_convex_mesh || c.overlapping_pairs + c.overfull_faces > 0;
+                return asked_for("asked for", !has_gaps);
             }
             other => return of(other, "asked for"),
         }
-        let change = largest_change(transfer, optics, diagonal);
         if change == 0.0 {
             return of(OrderMethod::Centroid, "all is of one colour, so that no order matters");
         }
@@ -91,6 +105,19 @@ impl OrderChoice {
             return of(OrderMethod::Power, "exact, as the mesh is regular and convex");
         }
         of(OrderMethod::PerPixel, "no order of cells is known to be right for this mesh")
+    }
+}
+
+impl OrderChoice {
+    /// What is to be said of the doubt.
+    pub fn warning(&self) -> Option<String> {
+        let most = self.doubt?;
+        let by = if most.is_finite() { format!("by up to {most:.2}") } else { "by an unknown amount".to_owned() };
+        Some(format!(
+            "--order {} is not known to be right for this mesh, and channels may be wrong {by}: --order per-pixel and \
+             --method raycast are exact, and --explain counts the neighbours in the wrong order",
+            self.method
+        ))
     }
 }
 
@@ -135,7 +162,9 @@ fn largest_extinction(transfer: &TransferFunction) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plan::order::Metric;
     use crate::scene::{Curve, CurveNode, Silhouette, SilhouetteMode};
+    use crate::tet::Finding;
 
     /// Thin enough, or not, by these colours and this optical depth over the diagonal.
     fn curve(colors: &[[f64; 3]], depth: f64) -> TransferFunction {
@@ -177,6 +206,37 @@ mod tests {
             let most = change(&mut [(0.5 * depth, 0.0), (0.5 * depth, 1.0)]);
             assert!((most - said).abs() <= 1e-12 * said, "{most:e} of {said:e}");
         }
+    }
+
+    #[test]
+    fn orders_that_may_be_wrong_say_by_how_much() {
+        let census = |is_convex_mesh: bool, count: u64| PowerCensus {
+            metric: Metric::IDENTITY,
+            interior_faces: 9,
+            overlapping_pairs: 0,
+            overfull_faces: 0,
+            not_convex: Finding { count, first: None },
+            ties: Finding::default(),
+            is_convex_mesh,
+        };
+        let (regular, dented) = (census(true, 0), census(false, 3));
+        let (thin, thick) = (curve(&RED_BLUE, 0.01), curve(&RED_BLUE, 10.0));
+        let choice = |asked, transfer, census| OrderChoice::new(asked, transfer, &Optics::PLAIN, 1.0, || census);
+        for asked in [OrderMethod::Centroid, OrderMethod::Power, OrderMethod::Mpvonc] {
+            let doubtful = choice(asked, &thick, &dented);
+            assert!(doubtful.doubt.is_some_and(|most| (0.9..1.0).contains(&most)), "{doubtful:?}");
+            let warning = doubtful.warning().expect("a warning");
+            assert!(warning.contains(&format!("--order {asked}")) && warning.contains("by up to 0.99"), "{warning}");
+            assert_eq!(choice(asked, &thin, &dented).warning(), None, "{asked}: no order changes anything");
+            let is_right = asked != OrderMethod::Centroid;
+            assert_eq!(choice(asked, &thick, &regular).doubt.is_none(), is_right, "{asked}");
+        }
+        for asked in [OrderMethod::Auto, OrderMethod::Exact, OrderMethod::PerPixel] {
+            assert_eq!(choice(asked, &thick, &dented).warning(), None, "{asked}");
+        }
+        let unweighted = Optics { emission: EmissionModel::Unweighted, ..Optics::PLAIN };
+        let unknown = OrderChoice::new(OrderMethod::Centroid, &thick, &unweighted, 1.0, || &regular);
+        assert!(unknown.warning().is_some_and(|text| text.contains("unknown amount")), "{unknown:?}");
     }
 
     #[test]
