@@ -158,7 +158,10 @@ fn a_sample_can_be_told_about() {
         let tets = info["census"]["tets"].as_u64().unwrap();
         assert!((1000..9000).contains(&tets), "{name}: {tets}");
         assert!(info["scalar_range"][0].as_f64() < info["scalar_range"][1].as_f64(), "{name}");
+        let power = &info["power_key"];
+        assert!(power["pairs"].as_u64() > Some(1_000) && power["wrong"].as_u64() < power["pairs"].as_u64(), "{power}");
         let text = succeed(folder.path(), &["info", "a.vtu"]);
+        assert!(text.contains("of neighbours wrong from 8 eyes"), "{text}");
         assert!(text.contains(info["arrays"][0]["name"].as_str().unwrap()), "{text}");
     }
 }

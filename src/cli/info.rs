@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::args::InfoArgs;
 use super::{load, output, progress};
 use crate::mesh::{ArrayChoice, Association, DataArray};
+use crate::plan::order::{Inversions, PowerCensus, PowerOrder, sampled_inversions};
 use crate::space::{Bounds, Interval};
 use crate::tet::{Adjacency, Census, TetMesh, TopologyCensus};
 
@@ -15,8 +16,11 @@ pub(super) fn run(args: &InfoArgs) -> anyhow::Result<()> {
     let arrays: Vec<ArrayRange> = mesh.arrays.iter().map(ArrayRange::of).collect();
     let bounds = Bounds::of(mesh.points.iter().copied());
     let (tet_mesh, census) = load::cut(mesh, &args.source, args.field.as_deref())?;
-    let topology = progress::step("examining", || Census::topology(&tet_mesh, &Adjacency::new(&tet_mesh)));
-    let report = Info::new(arrays, bounds, &tet_mesh, &census, &topology);
+    let (topology, power) = progress::step("examining", || {
+        let adjacency = Adjacency::new(&tet_mesh);
+        (Census::topology(&tet_mesh, &adjacency), PowerKey::new(&tet_mesh, &adjacency))
+    });
+    let report = Info::new(arrays, bounds, &tet_mesh, &census, (&topology, power));
     let text = if args.json { serde_json::to_string_pretty(&report)? } else { report.text() };
     output::say(&text)?;
     Ok(())
@@ -55,6 +59,31 @@ impl ArrayRange {
     }
 }
 
+/// What `--order power` is worth on this mesh.
+#[derive(Clone, Copy, Serialize)]
+struct PowerKey {
+    /// The order is right for every eye.
+    proved: bool,
+    /// Seen from so many eyes around and inside.
+    eyes: usize,
+    /// Neighbours, eye by eye.
+    pairs: u64,
+    /// Those that the key puts in the wrong order.
+    wrong: u64,
+}
+
+impl PowerKey {
+    const EYES: usize = 8;
+
+    fn new(mesh: &TetMesh, adjacency: &Adjacency) -> Self {
+        let census = PowerCensus::new(mesh, adjacency);
+        let order = PowerOrder::new(mesh, &census.metric);
+        let of_eye = |camera: &_| order.order(mesh, camera);
+        let Inversions { pairs, wrong } = sampled_inversions(mesh, adjacency, Self::EYES, of_eye);
+        Self { proved: census.is_exact(), eyes: Self::EYES, pairs, wrong }
+    }
+}
+
 #[derive(Serialize)]
 struct Info<'a> {
     bounds: [[f64; 3]; 2],
@@ -65,6 +94,7 @@ struct Info<'a> {
     convex: bool,
     delaunay: bool,
     topology: &'a TopologyCensus,
+    power_key: PowerKey,
 }
 
 impl<'a> Info<'a> {
@@ -73,7 +103,7 @@ impl<'a> Info<'a> {
         bounds: Bounds,
         mesh: &TetMesh,
         census: &'a Census,
-        topology: &'a TopologyCensus,
+        (topology, power_key): (&'a TopologyCensus, PowerKey),
     ) -> Self {
         let (s, g) = (mesh.scalar_range(), mesh.gradient_range());
         Self {
@@ -85,6 +115,7 @@ impl<'a> Info<'a> {
             convex: topology.is_convex(),
             delaunay: topology.is_delaunay(),
             topology,
+            power_key,
         }
     }
 
@@ -108,7 +139,11 @@ impl<'a> Info<'a> {
         let _ = writeln!(text, "\n{}", self.census);
         let _ = writeln!(text, "scalar               {} .. {}", self.scalar_range[0], self.scalar_range[1]);
         let _ = writeln!(text, "gradient magnitude   {} .. {}\n", self.gradient_range[0], self.gradient_range[1]);
-        let _ = write!(text, "{}", self.topology);
+        let _ = writeln!(text, "{}", self.topology);
+        let PowerKey { proved, eyes, pairs, wrong } = self.power_key;
+        let share = 100.0 * wrong as f64 / pairs.max(1) as f64;
+        let proved = if proved { "right for every eye" } else { "not known to be right" };
+        let _ = write!(text, "--order power        {proved}; {share:.3} % of neighbours wrong from {eyes} eyes");
         text
     }
 }
