@@ -1,8 +1,7 @@
 //! Kernels: specialised pipelines, what they bind, and those that a device keeps.
 
 use std::borrow::Cow;
-use std::collections::HashMap;
-use std::collections::VecDeque;
+use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, PoisonError};
 
 use naga::ShaderStage;
