@@ -65,7 +65,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     var b = corner_of(seen, ring.y);
     var c = corner_of(seen, ring.z);
     var d = corner_of(seen, ring.w);
-    var middle: Corner;
+    var middle: vec2f;
     var growth: f32;
     if seen.count == 1u {
         a = behind(a, seen.apex);
@@ -73,30 +73,37 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         b.tent.x = seen.peaks[ring.y];
         c.tent.y = seen.peaks[ring.z];
         d.tent.z = seen.peaks[ring.w];
-        middle = middle_of_three(b, c, d);
-        growth = growth_about(middle.clip, b.clip, c.clip, d.clip, d.clip);
+        middle = (b.clip + c.clip + d.clip) / 3.0;
+        growth = growth_about(middle, b.clip, c.clip, d.clip, d.clip);
     } else if seen.count == 2u {
         a.tent = vec3f(seen.peaks[ring.x], NO_CUT, 0.0);
         b.tent.y = NO_CUT;
         c.tent = vec3f(0.0, NO_CUT, seen.peaks[ring.z]);
         d.tent.y = NO_CUT;
-        middle = middle_of_two(a, c);
-        growth = growth_about(middle.clip, a.clip, b.clip, c.clip, d.clip);
+        middle = 0.5 * (a.clip + c.clip);
+        growth = growth_about(middle, a.clip, b.clip, c.clip, d.clip);
     } else {
         a.tent.x = seen.peaks[ring.x];
         b.tent.y = seen.peaks[ring.y];
         c.tent.z = seen.peaks[ring.z];
         // The other faces have no area.
         d = a;
-        middle = middle_of_three(a, b, c);
-        growth = growth_about(middle.clip, a.clip, b.clip, c.clip, c.clip);
+        middle = (a.clip + b.clip + c.clip) / 3.0;
+        growth = growth_about(middle, a.clip, b.clip, c.clip, c.clip);
     }
     let size = corner_size();
     let at = place * 4u * size;
     // The vertex that is within the outline may be anywhere.
-    put_corner(at, a, middle, select(growth, 0.0, seen.count == 1u));
-    put_corner(at + size, b, middle, growth);
-    put_corner(at + 2u * size, c, middle, growth);
-    put_corner(at + 3u * size, d, middle, growth);
-    put_apex(place, seen, seen.count == 1u);
+    put_corner(at, a.clip, middle, select(growth, 0.0, seen.count == 1u));
+    put_corner(at + size, b.clip, middle, growth);
+    put_corner(at + 2u * size, c.clip, middle, growth);
+    put_corner(at + 3u * size, d.clip, middle, growth);
+    let is_back = seen.count == 1u;
+    put_triangle(at + size, seen, is_back, b, c, a);
+    if seen.count < 3u {
+        put_triangle(at + 2u * size, seen, is_back, c, d, a);
+    }
+    if seen.count == 1u {
+        put_triangle(at + 3u * size, seen, is_back, d, b, a);
+    }
 }

@@ -41,34 +41,32 @@ fn put(position: vec4f, depth: f32, seen: vec4f) -> vec4f {
     return vec4f(0.0);
 }
 
-// Depth of the segment's middle, twice, from 1/z (orthographic: the depth) of the interpolated side and the thickness.
-fn twice_middle(plane_and_tent: vec4f, tent_and_ray: vec3f, thickness: f32) -> f32 {
-    let tent = greater(lesser(lesser(plane_and_tent.z, plane_and_tent.w), tent_and_ray.x), 0.0);
+// Depth of the segment's middle, twice. `thickness`: at the apex.
+fn twice_middle(seen: Seen, thickness: f32) -> f32 {
     if !PERSPECTIVE {
-        return 2.0 * plane_and_tent.x - tent * thickness;
+        return 2.0 * seen.inverse - seen.tent * thickness;
     }
-    let depths = side_lengths(tent_and_ray.yz, plane_and_tent.x, tent * thickness);
+    let depths = side_lengths(seen.ray, seen.inverse, seen.tent * thickness);
     return depths.x + depths.y;
 }
 
 @fragment
 fn fragment_listed(in: Fragment) -> @location(0) vec4f {
-    return put(in.position, twice_middle(in.plane_and_tent, in.tent_and_ray, in.apex.x), shade(in, 1.0));
+    return put(in.position, twice_middle(seen_of(in), in.tents_y.w), shade(in, 1.0));
 }
 
 @fragment
 fn fragment_shaded_listed(in: Fragment, more: Shaded) -> @location(0) vec4f {
-    return put(in.position, twice_middle(in.plane_and_tent, in.tent_and_ray, in.apex.x), shade_more(in, more));
+    return put(in.position, twice_middle(seen_of(in), in.tents_y.w), shade_more(in, more));
 }
 
 @fragment
 fn fragment_bivariate_listed(in: BivariateFragment) -> @location(0) vec4f {
-    let depth = twice_middle(in.plane_and_tent, in.tent_and_ray_and_gradient.xyz, in.apex.x);
-    return put(in.position, depth, shade_bivariate(in, 1.0));
+    return put(in.position, twice_middle(seen_of(plain_of_bivariate(in)), in.tents_y.w), shade_bivariate(in, 1.0));
 }
 
 @fragment
 fn fragment_bivariate_shaded_listed(in: BivariateFragment, more: Shaded) -> @location(0) vec4f {
-    let depth = twice_middle(in.plane_and_tent, in.tent_and_ray_and_gradient.xyz, in.apex.x);
-    return put(in.position, depth, shade_bivariate_more(in, more));
+    return put(in.position, twice_middle(seen_of(plain_of_bivariate(in)), in.tents_y.w),
+               shade_bivariate_more(in, more));
 }

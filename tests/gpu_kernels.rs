@@ -9,7 +9,7 @@ mod cases;
 mod device;
 
 use cases::Measure::{Absolute, Relative};
-use cases::{Budget, Kernel, all, budget, check, planted, planted_nan};
+use cases::{Budget, Kernel, all, budget, check, planted, planted_nan, replaced};
 use device::open;
 use tetralux::gpu::Gpu;
 
@@ -65,6 +65,32 @@ const DEVICE: &[Budget] = &[
     budget("gaussian_product_mean", 0, Absolute, 2.7e-7),  // 2.35e-7
 ];
 
+/// Those that are larger on an NVIDIA H100 (driver 580.159); measured values beside. It divides by reciprocals, and joins
+/// products and sums: of the last one, values are 3e-5 where that shows.
+const HARDWARE: &[Budget] = &[
+    budget("erfcx", 0, Relative, 3.3e-7),                  // 2.90e-7
+    budget("gaussian_mean", 0, Absolute, 4e-7),            // 3.50e-7
+    budget("clip_to_range", 0, Absolute, 1.5e-7),          // 1.33e-7
+    budget("clip_to_range", 1, Absolute, 1.1e-7),          // 9.49e-8
+    budget("sinc_complement", 0, Relative, 4.6e-7),        // 3.96e-7
+    budget("cosine_mean_weighted", 0, Relative, 6e-7),     // 5.24e-7
+    budget("half_mean", 0, Relative, 5.1e-7),              // 4.47e-7
+    budget("half_mean_weighted", 0, Relative, 5.4e-7),     // 4.68e-7
+    budget("triangle_mean", 0, Absolute, 2.5e-7),          // 2.16e-7
+    budget("triangle_mean", 0, Relative, 2.8e-7),          // 2.41e-7
+    budget("triangle_mean_weighted", 0, Absolute, 1.7e-7), // 1.49e-7
+    budget("triangle_mean_narrow", 0, Absolute, 2.7e-7),   // 2.38e-7
+    budget("triangle_mean_narrow", 0, Relative, 3e-7),     // 2.57e-7
+    budget("emission_shares", 0, Absolute, 9.9e-6),        // 9.06e-6
+    budget("emission_shares", 1, Absolute, 9.9e-6),        // 9.01e-6
+    budget("line_at", 0, Absolute, 8.4e-8),                // 7.30e-8
+    budget("triangle_mean_weighted", 0, Relative, 2.9e-6), // 2.49e-6
+];
+
+fn budgets(gpu: &Gpu) -> Vec<Budget> {
+    replaced(DEVICE, if gpu.is_software() { &[] } else { HARDWARE })
+}
+
 fn run(gpu: &Gpu, kernel: &Kernel) -> Vec<[f64; 2]> {
     device::run(gpu, kernel)
 }
@@ -73,7 +99,8 @@ fn run(gpu: &Gpu, kernel: &Kernel) -> Vec<[f64; 2]> {
 fn devices_compute_the_formulas() {
     let gpu = open();
     println!("{}", gpu.describe());
-    let reports: Vec<_> = all().iter().map(|kernel| check(kernel, &run(&gpu, kernel), DEVICE)).collect();
+    let budgets = budgets(&gpu);
+    let reports: Vec<_> = all().iter().map(|kernel| check(kernel, &run(&gpu, kernel), &budgets)).collect();
     for report in &reports {
         println!("{}", report.as_ref().unwrap_or_else(|e| e));
     }
@@ -83,10 +110,12 @@ fn devices_compute_the_formulas() {
 #[test]
 fn planted_errors_are_rejected() {
     for kernel in all() {
-        for budget in DEVICE.iter().filter(|b| b.kernel == kernel.name) {
-            check(&kernel, &planted(&kernel, budget), DEVICE).expect_err("an error above the budget");
-            // None lets an error pass that could be seen.
-            assert!(budget.most <= 1e-5, "{budget:?}");
+        for budgets in [DEVICE.to_vec(), replaced(DEVICE, HARDWARE)] {
+            for budget in budgets.iter().filter(|b| b.kernel == kernel.name) {
+                check(&kernel, &planted(&kernel, budget), &budgets).expect_err("an error above the budget");
+                // None lets an error pass that could be seen.
+                assert!(budget.most <= 1e-5, "{budget:?}");
+            }
         }
         check(&kernel, &planted_nan(&kernel), DEVICE).expect_err("a NaN");
     }

@@ -12,7 +12,7 @@ mod device;
 mod shading;
 
 use cases::Measure::Absolute;
-use cases::{Budget, budget, check, planted, planted_nan};
+use cases::{Budget, budget, check, planted, planted_nan, replaced};
 use device::{open, run};
 use shading::kernels;
 
@@ -29,11 +29,19 @@ const DEVICE: &[Budget] = &[
     budget("outlined", 1, Absolute, 9.5e-8),          // 8.50e-8
 ];
 
+/// Those that are larger on an NVIDIA H100 (driver 580.159); measured values beside.
+const HARDWARE: &[Budget] = &[
+    budget("lit from the head", 0, Absolute, 1.6e-7), // 1.35e-7
+    budget("outlined", 0, Absolute, 5.5e-6),          // 4.79e-6
+    budget("outlined", 1, Absolute, 1.6e-7),          // 1.37e-7
+];
+
 #[test]
 fn devices_compute_the_formulas() {
     let gpu = open();
     println!("{}", gpu.describe());
-    let reports: Vec<_> = kernels().iter().map(|kernel| check(kernel, &run(&gpu, kernel), DEVICE)).collect();
+    let budgets = replaced(DEVICE, if gpu.is_software() { &[] } else { HARDWARE });
+    let reports: Vec<_> = kernels().iter().map(|kernel| check(kernel, &run(&gpu, kernel), &budgets)).collect();
     for report in &reports {
         println!("{}", report.as_ref().unwrap_or_else(|e| e));
     }
@@ -43,8 +51,10 @@ fn devices_compute_the_formulas() {
 #[test]
 fn planted_errors_are_rejected() {
     for kernel in kernels() {
-        for budget in DEVICE.iter().filter(|b| b.kernel == kernel.name) {
-            check(&kernel, &planted(&kernel, budget), DEVICE).expect_err("an error above the budget");
+        for budgets in [DEVICE.to_vec(), replaced(DEVICE, HARDWARE)] {
+            for budget in budgets.iter().filter(|b| b.kernel == kernel.name) {
+                check(&kernel, &planted(&kernel, budget), &budgets).expect_err("an error above the budget");
+            }
         }
         check(&kernel, &planted_nan(&kernel), DEVICE).expect_err("a NaN");
     }

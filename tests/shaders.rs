@@ -91,19 +91,6 @@ fn every_file_is_listed_and_used() {
     assert_eq!(reached, shared, "imported by some pass, and in shaders/math or shaders/shared");
 }
 
-/// Where outlines may be clipped no value is interpolated linearly, and nothing else changes.
-#[test]
-fn the_raster_pass_is_also_one_in_perspective() {
-    let linear = Module::new("raster").expect("a pass");
-    assert!(linear.source.matches("@interpolate(linear)").count() > 10);
-    let before = linear.source.len();
-    let removed = "@interpolate(linear) ".len() * linear.source.matches("@interpolate(linear) ").count();
-    let perspective = Module::known("raster", true).expect("a pass").source.clone();
-    assert!(!perspective.contains("linear)"));
-    assert_eq!(perspective.len(), before - removed);
-    naga::front::wgsl::parse_str(&perspective).expect("a shader");
-}
-
 #[test]
 fn files_are_joined_once_each() {
     let joined = compose("raster").expect("a pass");

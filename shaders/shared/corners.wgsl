@@ -9,11 +9,13 @@
 @group(3) @binding(0) var<uniform> chunk: Chunk;
 @group(3) @binding(1) var<storage, read> counts: Counts;
 @group(3) @binding(2) var<storage, read> order: array<u32>; // cells, or spans of cells, back to front
-// Four corners a cell; per corner: clip xy; 1/z (orthographic: the depth) and scalar/z; three tent functions; then, of
-// the first corner alone, at the apex, the thickness (negative where the front is the interpolated side) and the change
-// of scalar/z from the interpolated to the other side; with BIVARIATE gradient/z and its change; with BANDS the lower
-// piece, as 8 x piece + 1 where the span is not clipped below + 2 where it is not above + 4 where it has no upper band,
-// and the scalar is that of the span. With SHADED the gradient vector/z in view axes, and its change, come last.
+// Four corners a cell; per corner: clip xy; then, of the first corner of a triangle alone, what is affine over it, as
+// planes: where they begin, pixels; value there and change a pixel along x and y of 1/z (orthographic: the depth), with
+// the first of three tent functions; of scalar/z, with the second; changes of all three along x, with the third; along y,
+// with the thickness at the apex (negative where the front is the side that is one plane); the change of scalar/z from
+// that side to the other; with BIVARIATE the change of gradient/z and its plane; with BANDS the lower piece, as 8 x piece
+// + 1 where the span is not clipped below + 2 where it is not above + 4 where it has no upper band, and the scalar is that
+// of the span. With SHADED the plane of the gradient vector/z in view axes, and its change, come last.
 //
 // Few and plain stores: on a software adapter they were most of the time of this pass.
 @group(3) @binding(5) var<storage, read_write> corners: array<f32>;
@@ -66,13 +68,15 @@ struct Corner {
     vector: vec3f,
 }
 
-const FLOATS: u32 = 9u;
-const BANDS_FLOATS: u32 = 10u;
-const BIVARIATE_FLOATS: u32 = 11u;
-const SHADED_FLOATS: u32 = 6u; // more
+const FLOATS: u32 = 21u;
+const BANDS_FLOATS: u32 = 22u;
+const BIVARIATE_FLOATS: u32 = 25u;
+const SHADED_FLOATS: u32 = 12u; // more
 // How much larger cells are drawn, pixels: twice the rasteriser's grid.
 const HAIR: f32 = 0.0078125;
 const NO_CUT: f32 = 2.0;
+// Pixels squared.
+const LEAST_AREA: f32 = 1e-18;
 // At most, where the corners of needles would be far away; and by no more than the outline's own size, or a part of a
 // pixel: beyond the ends of needles rounding has the last word on whether the tent is positive.
 override LONGEST_HAIR: f32;
@@ -199,17 +203,6 @@ fn corner_of(seen: SeenCell, k: u32) -> Corner {
     return corner;
 }
 
-fn middle_of_two(a: Corner, b: Corner) -> Corner {
-    return Corner(0.5 * (a.clip + b.clip), 0.5 * (a.plane + b.plane), 0.5 * (a.tent + b.tent),
-                  0.5 * (a.vector + b.vector));
-}
-
-fn middle_of_three(a: Corner, b: Corner, c: Corner) -> Corner {
-    let third = 1.0 / 3.0;
-    return Corner(third * (a.clip + b.clip + c.clip), third * (a.plane + b.plane + c.plane),
-                  third * (a.tent + b.tent + c.tent), third * (a.vector + b.vector + c.vector));
-}
-
 // Distance of the line through a and b from the origin.
 fn line_distance(a: vec2f, b: vec2f) -> f32 {
     let ab = b - a;
@@ -231,29 +224,11 @@ fn growth_about(middle: vec2f, a: vec2f, b: vec2f, c: vec2f, d: vec2f) -> f32 {
     return min(HAIR / max(inner, 1e-30), longest / max(outer, 1e-30));
 }
 
-fn put_corner(at: u32, corner: Corner, middle: Corner, growth: f32) {
-    let clip = corner.clip + growth * (corner.clip - middle.clip);
-    let plane = corner.plane + growth * (corner.plane - middle.plane);
-    let tent = corner.tent + growth * (corner.tent - middle.tent);
-    corners[at] = clip.x;
-    corners[at + 1u] = clip.y;
-    corners[at + 2u] = plane.x;
-    corners[at + 3u] = plane.y;
-    corners[at + 4u] = tent.x;
-    corners[at + 5u] = tent.y;
-    corners[at + 6u] = tent.z;
-    if BIVARIATE {
-        corners[at + 9u] = plane.z;
-    }
-    if SHADED {
-        put_vector(at + plain_size(), corner.vector + growth * (corner.vector - middle.vector));
-    }
-}
-
-fn put_vector(at: u32, vector: vec3f) {
-    corners[at] = vector.x;
-    corners[at + 1u] = vector.y;
-    corners[at + 2u] = vector.z;
+// On screen, grown about the outline's middle.
+fn put_corner(at: u32, clip: vec2f, middle: vec2f, growth: f32) {
+    let grown = clip + growth * (clip - middle);
+    corners[at] = grown.x;
+    corners[at + 1u] = grown.y;
 }
 
 // Floats of a corner.
@@ -265,19 +240,64 @@ fn corner_size() -> u32 {
     return plain_size() + select(0u, SHADED_FLOATS, SHADED);
 }
 
-// Of the cell at `place` of the chunk. `is_back`: corners hold the values of the back.
-fn put_apex(place: u32, seen: SeenCell, is_back: bool) {
-    let at = place * 4u * corner_size();
+fn put_vector(at: u32, vector: vec3f) {
+    corners[at] = vector.x;
+    corners[at + 1u] = vector.y;
+    corners[at + 2u] = vector.z;
+}
+
+// A change a pixel, from those of the second and third corner's shares.
+fn slope(of_b: vec2f, of_c: vec2f, ab: f32, ac: f32) -> vec2f {
+    return ab * of_b + ac * of_c;
+}
+
+// What is affine over the triangle a, b, c, at its first corner. `is_back`: corners hold the values of the back.
+fn put_triangle(at: u32, seen: SeenCell, is_back: bool, a: Corner, b: Corner, c: Corner) {
+    let pixels = vec2f(0.5 * frame.image_width, -0.5 * frame.image_height);
+    let ab = pixels * (b.clip - a.clip);
+    let ac = pixels * (c.clip - a.clip);
+    let area = ab.x * ac.y - ab.y * ac.x;
+    // Without an area nothing is seen.
+    let is_flat = abs(area) < LEAST_AREA;
+    let inverse = select(1.0 / area, 0.0, is_flat);
+    // Changes of the second and third corner's barycentric coordinate.
+    let of_b = inverse * vec2f(ac.y, -ac.x);
+    let of_c = inverse * vec2f(-ab.y, ab.x);
+    let begin = pixels * (a.clip + vec2f(1.0, -1.0));
+    let depth = slope(of_b, of_c, b.plane.x - a.plane.x, c.plane.x - a.plane.x);
+    let scalar = slope(of_b, of_c, b.plane.y - a.plane.y, c.plane.y - a.plane.y);
+    let tent = select(a.tent, vec3f(0.0), is_flat);
+    let tent_b = b.tent - a.tent;
+    let tent_c = c.tent - a.tent;
     let apex = seen.apex;
-    corners[at + 7u] = select(-apex.thickness, apex.thickness, is_back);
-    corners[at + 8u] = select(apex.scalar_change, -apex.scalar_change, is_back);
+    corners[at + 2u] = begin.x;
+    corners[at + 3u] = begin.y;
+    corners[at + 4u] = a.plane.x;
+    corners[at + 5u] = depth.x;
+    corners[at + 6u] = depth.y;
+    corners[at + 7u] = tent.x;
+    corners[at + 8u] = a.plane.y;
+    corners[at + 9u] = scalar.x;
+    corners[at + 10u] = scalar.y;
+    corners[at + 11u] = tent.y;
+    put_vector(at + 12u, of_b.x * tent_b + of_c.x * tent_c);
+    corners[at + 15u] = tent.z;
+    put_vector(at + 16u, of_b.y * tent_b + of_c.y * tent_c);
+    corners[at + 19u] = select(-apex.thickness, apex.thickness, is_back);
+    corners[at + 20u] = select(apex.scalar_change, -apex.scalar_change, is_back);
     if BIVARIATE {
-        corners[at + 10u] = select(apex.gradient_change, -apex.gradient_change, is_back);
+        let gradient = slope(of_b, of_c, b.plane.z - a.plane.z, c.plane.z - a.plane.z);
+        corners[at + 21u] = select(apex.gradient_change, -apex.gradient_change, is_back);
+        put_vector(at + 22u, vec3f(a.plane.z, gradient));
     }
     if BANDS {
-        corners[at + 9u] = f32(seen.span);
+        corners[at + 21u] = f32(seen.span);
     }
     if SHADED {
-        put_vector(at + plain_size() + 3u, select(apex.vector_change, -apex.vector_change, is_back));
+        let more = at + plain_size();
+        put_vector(more, a.vector);
+        put_vector(more + 3u, of_b.x * (b.vector - a.vector) + of_c.x * (c.vector - a.vector));
+        put_vector(more + 6u, of_b.y * (b.vector - a.vector) + of_c.y * (c.vector - a.vector));
+        put_vector(more + 9u, select(apex.vector_change, -apex.vector_change, is_back));
     }
 }

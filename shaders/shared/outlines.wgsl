@@ -71,7 +71,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     var b = corner_of(seen, ring.y);
     var c = corner_of(seen, ring.z);
     var d = a;
-    var middle: Corner;
+    var middle: vec2f;
     var growth: f32;
     a.tent.x = seen.peaks[ring.x];
     if seen.count == 2u {
@@ -83,20 +83,23 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         c.tent.y = NO_CUT;
         d.tent.y = NO_CUT;
         // The middle of the edge that both triangles share: they stay neighbours.
-        middle = middle_of_two(a, c);
-        growth = growth_about(middle.clip, a.clip, b.clip, c.clip, d.clip);
+        middle = 0.5 * (a.clip + c.clip);
+        growth = growth_about(middle, a.clip, b.clip, c.clip, d.clip);
     } else {
         b.tent.y = seen.peaks[ring.y];
         c.tent.z = seen.peaks[ring.z];
         d = a;
-        middle = middle_of_three(a, b, c);
-        growth = growth_about(middle.clip, a.clip, b.clip, c.clip, c.clip);
+        middle = (a.clip + b.clip + c.clip) / 3.0;
+        growth = growth_about(middle, a.clip, b.clip, c.clip, c.clip);
     }
     let size = corner_size();
     let at = place * 4u * size;
-    put_corner(at, a, middle, growth);
-    put_corner(at + size, b, middle, growth);
-    put_corner(at + 2u * size, c, middle, growth);
-    put_corner(at + 3u * size, d, middle, growth);
-    put_apex(place, seen, is_back);
+    put_corner(at, a.clip, middle, growth);
+    put_corner(at + size, b.clip, middle, growth);
+    put_corner(at + 2u * size, c.clip, middle, growth);
+    put_corner(at + 3u * size, d.clip, middle, growth);
+    put_triangle(at, seen, is_back, a, b, c);
+    if seen.count == 2u {
+        put_triangle(at + 2u * size, seen, is_back, c, d, a);
+    }
 }

@@ -4,10 +4,10 @@ use crate::gpu::device::Gpu;
 use crate::gpu::layout;
 
 /// Bytes of a cell's four corners with gradient magnitudes.
-const CORNER_BYTES: u64 = 4 * 44;
+const CORNER_BYTES: u64 = 4 * 100;
 
 /// More with gradient vectors.
-const SHADED_BYTES: u64 = 4 * 24;
+const SHADED_BYTES: u64 = 4 * 48;
 
 const STORAGE: wgpu::BufferUsages = wgpu::BufferUsages::STORAGE;
 

@@ -26,11 +26,11 @@ impl Cover {
         }
     }
 
-    /// Corners of a cell's triangles. The first one of each has the flat values, which only the cell's first corner holds.
+    /// Corners of a cell's triangles. The first one of each holds what is affine over it.
     pub fn triangles(self) -> &'static [u32] {
         match self {
-            Self::Outline => &[0, 1, 2, 0, 2, 3],
-            Self::FrontFaces => &[0, 1, 2, 0, 2, 3, 0, 3, 1],
+            Self::Outline => &[0, 1, 2, 2, 3, 0],
+            Self::FrontFaces => &[1, 2, 0, 2, 3, 0, 3, 1, 0],
         }
     }
 

@@ -47,22 +47,3 @@ fn half_height(camera: &Camera, mesh: &(impl Domain + ?Sized)) -> f64 {
         Projection::Orthographic { height } => 0.5 * height / mesh.data_per_mesh(),
     }
 }
-
-/// True where all of the mesh is before the eye and within a picture so many times as large, `margin` pixels inside it.
-pub fn lies_within(frame: &Frame<'_>, mesh: &(impl Domain + ?Sized), scale: f64, margin: f64) -> bool {
-    let (camera, basis) = (frame.camera, basis_in_mesh(frame.camera, mesh));
-    let [width, height] = frame.size.map(f64::from);
-    let half = half_height(camera, mesh);
-    let eye = mesh.mesh_from_data(camera.eye);
-    mesh.bounds().corners().iter().all(|&corner| {
-        let from_eye = corner - eye;
-        let depth = match camera.projection {
-            Projection::Perspective { .. } => basis.forward.dot(from_eye),
-            Projection::Orthographic { .. } => 1.0,
-        };
-        // Pixels from the picture's middle.
-        let pixels = 0.5 * height / (half * depth);
-        let (x, y) = (pixels * basis.right.dot(from_eye).abs(), pixels * basis.up.dot(from_eye).abs());
-        depth > 0.0 && x <= 0.5 * scale * width - margin && y <= 0.5 * scale * height - margin
-    })
-}

@@ -28,7 +28,6 @@ type KernelKey = (&'static str, Vec<(String, u64)>);
 #[derive(PartialEq)]
 struct DrawKey {
     kernel: KernelKey,
-    in_perspective: bool,
     entries: [String; 2],
     targets: Vec<Option<wgpu::ColorTargetState>>,
     vertices: Vec<wgpu::VertexAttribute>,
@@ -67,7 +66,7 @@ impl Gpu {
     /// # Errors
     /// The shader does not compile, or binds more than the device does.
     pub fn kernel(&self, name: &'static str, constants: &[(&str, f64)]) -> Result<Kernel> {
-        let module = Module::known(name, false)?;
+        let module = Module::known(name)?;
         let constants = known_constants(&module, constants);
         let key = key_of(name, &constants);
         if let Some(kernel) = self.made(|made| made.kernels.get(&key)) {
@@ -95,25 +94,23 @@ impl Gpu {
         Ok(kernel)
     }
 
-    /// A render kernel drawing triangles, but for those `culled`; `entries` names the vertex and fragment entry points;
-    /// `in_perspective`: linear interpolation is taken out of the source.
+    /// A render kernel drawing triangles, but for those `culled`; `entries` names the vertex and fragment entry points.
     ///
     /// # Errors
     /// The shader does not compile.
     pub fn draw_kernel(
         &self,
-        (name, in_perspective): (&'static str, bool),
+        name: &'static str,
         entries: [&str; 2],
         constants: &[(&str, f64)],
         targets: &[Option<wgpu::ColorTargetState>],
         vertex_buffers: &[Option<wgpu::VertexBufferLayout<'_>>],
         culled: Option<wgpu::Face>,
     ) -> Result<DrawKernel> {
-        let module = Module::known(name, in_perspective)?;
+        let module = Module::known(name)?;
         let constants = known_constants(&module, constants);
         let key = DrawKey {
             kernel: key_of(name, &constants),
-            in_perspective,
             entries: entries.map(str::to_owned),
             targets: targets.to_vec(),
             vertices: vertex_buffers.iter().flatten().flat_map(|buffer| buffer.attributes).copied().collect(),

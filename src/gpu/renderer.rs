@@ -17,7 +17,7 @@ use crate::gpu::lists::{FragmentLists, Listed};
 use crate::gpu::mesh::TetRange;
 use crate::gpu::ordering::{Keys, Ordering};
 use crate::gpu::record::{Recorder, Work};
-use crate::gpu::scene::{self, GUARD, LONGEST_HAIR, SceneKernels, Spans, Variant};
+use crate::gpu::scene::{self, SceneKernels, Spans, Variant};
 use crate::gpu::slabs::{MOST_LAYERS, Slabs};
 use crate::gpu::sort;
 use crate::gpu::store::{DEEP_SPAN, Pieces, SPAN_BITS, Store};
@@ -269,13 +269,11 @@ impl GpuRenderer {
         self.gpu.queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&uniform));
         let light = light::uniform(frame.optics, &frame.camera.basis());
         self.gpu.queue.write_buffer(&self.light, 0, bytemuck::bytes_of(&light));
-        let has_viewport = frame.size.iter().all(|&n| n <= self.gpu.device.limits().max_texture_dimension_2d / 2);
-        let clipped = !has_viewport || pieces.is_some() || !frame::lies_within(frame, &*self.mesh, GUARD, LONGEST_HAIR);
         let mut lists = None;
         if variant.lists {
-            lists = Some(self.need_lists(frame.size, clipped)?);
+            lists = Some(self.need_lists(frame.size)?);
         } else {
-            self.need_raster(clipped)?;
+            self.need_raster()?;
         }
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let all = self.resources(&scene.transfer);
@@ -297,25 +295,24 @@ impl GpuRenderer {
             notes.push(format!("cells near the eye were cut: {} pieces of them are drawn instead", p.range.count));
         }
         let passes = if let Some(lists) = &mut lists {
-            let (strips, passes) = self.list_and_compose(recorder, lists, clipped)?;
+            let (strips, passes) = self.list_and_compose(recorder, lists)?;
             let (fragments, strips) = (strips.iter().map(|s| s.listed).sum::<u64>(), strips.len());
             notes.push(format!("{fragments} fragments were listed, in {strips} strips, and composed by their depths"));
             passes
         } else if self.f16 {
-            let (slabs, passes) = self.raster_slabs(recorder, clipped, timed)?;
+            let (slabs, passes) = self.raster_slabs(recorder, timed)?;
             self.slabs = slabs;
             let cells = order.map_or(u32::MAX, |order| order.len() as u32);
             let count = self.slabs.ranges(cells).len();
             notes.push(format!("blended in f16, in {count} slabs of at most {MOST_LAYERS} layers"));
             passes
         } else {
-            self.raster(&mut recorder, &all, clipped, order.as_deref(), uniform.most_drawn)?;
+            self.raster(&mut recorder, &all, order.as_deref(), uniform.most_drawn)?;
             recorder.finish()?
         };
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
-        let interpolation = if clipped { "in perspective, as outlines may be clipped" } else { "linearly" };
         let kind = scene.transfer.describe(self.settings.integral, scene.spans.map(|s| s.paired));
-        let pipelines = format!("{kind}; {} are drawn, and values interpolated {interpolation}", self.cover.describe());
+        let pipelines = format!("{kind}; {} are drawn", self.cover.describe());
         let order = format!("{}: {}", choice.method, choice.why);
         let stats = Stats { passes, notes, pipelines, order, adapter: self.gpu.describe(), ..Default::default() };
         if lists.is_some() {
@@ -325,9 +322,9 @@ impl GpuRenderer {
     }
 
     /// Makes the passes of this frame that list fragments, and takes the lists out, made for its size.
-    fn need_lists(&mut self, size: [u32; 2], clipped: bool) -> Result<FragmentLists> {
+    fn need_lists(&mut self, size: [u32; 2]) -> Result<FragmentLists> {
         let scene = self.scene.as_mut().ok_or_else(unprepared)?;
-        scene.need_lists(&self.gpu, clipped)?;
+        scene.need_lists(&self.gpu)?;
         let mut lists = match self.lists.take() {
             Some(lists) => lists,
             None => FragmentLists::new(&self.gpu, self.most_turns, Listed::Cells)?,
@@ -355,14 +352,14 @@ impl GpuRenderer {
     }
 
     /// Makes the raster passes of this frame: without the steps that deep cells take, where some draws have none.
-    fn need_raster(&mut self, clipped: bool) -> Result<()> {
+    fn need_raster(&mut self) -> Result<()> {
         let scene = self.scene.as_mut().ok_or_else(unprepared)?;
         let has_deep = scene.spans.is_none_or(|spans| spans.deep);
         if has_deep {
-            scene.need_raster(&self.gpu, clipped, true)?;
+            scene.need_raster(&self.gpu, true)?;
         }
         if !has_deep || (scene.spans.is_some() && !self.f16 && self.store.sorter.sorts_on_host()) {
-            scene.need_raster(&self.gpu, clipped, false)?;
+            scene.need_raster(&self.gpu, false)?;
         }
         Ok(())
     }

@@ -45,9 +45,9 @@ pub struct SceneKernels {
     /// Corners of a chunk.
     pub corners: Kernel,
     /// Draws a chunk.
-    raster: [[Option<DrawKernel>; 2]; 2],
+    raster: [Option<DrawKernel>; 2],
     /// Counts and lists a chunk's fragments.
-    lists: [Option<ListKernels>; 2],
+    pub lists: Option<ListKernels>,
     /// Finishes the picture.
     pub resolve: DrawKernel,
     /// f16 only.
@@ -94,9 +94,6 @@ const ADD: wgpu::BlendComponent = wgpu::BlendComponent {
 
 /// By how many pixels an outline may be drawn too large, so that each edge moves out by a hair.
 pub const LONGEST_HAIR: f64 = 64.0;
-
-/// How much larger the viewport is than the picture where outlines are not to be clipped.
-pub const GUARD: f64 = 2.0;
 
 /// A target of a draw.
 pub fn target(format: wgpu::TextureFormat, blend: Option<wgpu::BlendState>) -> Option<wgpu::ColorTargetState> {
@@ -160,7 +157,7 @@ impl SceneKernels {
         let full = ["vertex", "fragment"];
         let resolve = |constants: &[_]| {
             let targets = [target(wgpu::TextureFormat::Rgba32Float, None)];
-            gpu.draw_kernel(("resolve", false), full, constants, &targets, &[], None)
+            gpu.draw_kernel("resolve", full, constants, &targets, &[], None)
         };
         Ok(Self {
             variant,
@@ -174,7 +171,7 @@ impl SceneKernels {
             corners: gpu.kernel(variant.cover.pass(), &constants)?,
             f16,
             raster: Default::default(),
-            lists: Default::default(),
+            lists: None,
             resolve: resolve(&constants)?,
             slabs: match f16 {
                 false => None,
@@ -214,12 +211,12 @@ impl SceneKernels {
         self.keys[keys as usize].as_ref()
     }
 
-    /// Makes the raster pass; `clipped`: outlines may leave the viewport; `deep`: spans may be of deep cells.
+    /// Makes the raster pass; `deep`: spans may be of deep cells.
     ///
     /// # Errors
     /// A shader that does not compile.
-    pub fn need_raster(&mut self, gpu: &Gpu, clipped: bool, deep: bool) -> Result<()> {
-        if self.raster(clipped, deep).is_some() {
+    pub fn need_raster(&mut self, gpu: &Gpu, deep: bool) -> Result<()> {
+        if self.raster(deep).is_some() {
             return Ok(());
         }
         let targets = if self.f16 {
@@ -231,33 +228,26 @@ impl SceneKernels {
         } else {
             vec![target(wgpu::TextureFormat::Rgba32Float, Some(BACK_TO_FRONT))]
         };
-        let kernel =
-            self.cell_kernel(gpu, "raster", if self.f16 { "_counted" } else { "" }, clipped, deep, &targets)?;
-        self.raster[usize::from(clipped)][usize::from(deep)] = Some(kernel);
+        let kernel = self.cell_kernel(gpu, "raster", if self.f16 { "_counted" } else { "" }, deep, &targets)?;
+        self.raster[usize::from(deep)] = Some(kernel);
         Ok(())
     }
 
-    /// Makes the passes that list fragments; `clipped`: outlines may leave the viewport.
+    /// Makes the passes that list fragments.
     ///
     /// # Errors
     /// A shader that does not compile.
-    pub fn need_lists(&mut self, gpu: &Gpu, clipped: bool) -> Result<()> {
-        if self.lists[usize::from(clipped)].is_none() {
+    pub fn need_lists(&mut self, gpu: &Gpu) -> Result<()> {
+        if self.lists.is_none() {
             let write_mask = wgpu::ColorWrites::empty();
             let format = if self.f16 { wgpu::TextureFormat::Rgba16Float } else { wgpu::TextureFormat::Rgba32Float };
             let target = wgpu::ColorTargetState { format, blend: None, write_mask };
             let kernel = |end: &'static str| {
-                self.cell_kernel(gpu, "listed", end, clipped, true, std::slice::from_ref(&Some(target.clone())))
+                self.cell_kernel(gpu, "listed", end, true, std::slice::from_ref(&Some(target.clone())))
             };
-            let kernels = ListKernels { tally: kernel("fragment_tally")?, list: kernel("_listed")? };
-            self.lists[usize::from(clipped)] = Some(kernels);
+            self.lists = Some(ListKernels { tally: kernel("fragment_tally")?, list: kernel("_listed")? });
         }
         Ok(())
-    }
-
-    /// The passes that list fragments, after [`Self::need_lists`].
-    pub fn lists(&self, clipped: bool) -> Option<&ListKernels> {
-        self.lists[usize::from(clipped)].as_ref()
     }
 
     /// A pass that draws cells; `ending`: of the fragment entry point, or all of its name.
@@ -266,7 +256,6 @@ impl SceneKernels {
         gpu: &Gpu,
         pass: &'static str,
         ending: &'static str,
-        clipped: bool,
         deep: bool,
         targets: &[Option<wgpu::ColorTargetState>],
     ) -> Result<DrawKernel> {
@@ -276,12 +265,12 @@ impl SceneKernels {
             shaded: self.variant.shading.is_on(),
         };
         let constants = [&self.constants[..], &[("DEEP", f64::from(u8::from(deep)))]].concat();
-        kind.kernel(gpu, [pass, ending], clipped, self.variant.cover, &constants, targets)
+        kind.kernel(gpu, [pass, ending], self.variant.cover, &constants, targets)
     }
 
     /// The raster pass, after [`Self::need_raster`].
-    pub fn raster(&self, clipped: bool, deep: bool) -> Option<&DrawKernel> {
-        self.raster[usize::from(clipped)][usize::from(deep)].as_ref()
+    pub fn raster(&self, deep: bool) -> Option<&DrawKernel> {
+        self.raster[usize::from(deep)].as_ref()
     }
 
     /// The cull pass; `near_cut` only after [`Self::need_near_cut`].
@@ -302,8 +291,7 @@ pub struct CornerKind {
 }
 
 impl CornerKind {
-    /// A pass that draws cells, and the ending of its fragment entry point, or all of that one's name; `clipped`: outlines
-    /// may leave the viewport.
+    /// A pass that draws cells, and the ending of its fragment entry point, or all of that one's name.
     ///
     /// # Errors
     /// A shader that does not compile.
@@ -311,7 +299,6 @@ impl CornerKind {
         self,
         gpu: &Gpu,
         [pass, ending]: [&'static str; 2],
-        clipped: bool,
         cover: Cover,
         constants: &[(&'static str, f64)],
         targets: &[Option<wgpu::ColorTargetState>],
@@ -321,24 +308,22 @@ impl CornerKind {
         let corners =
             wgpu::VertexBufferLayout { array_stride, step_mode: wgpu::VertexStepMode::Vertex, attributes: &attributes };
         let [vertex, fragment] = raster_entries(self.bivariate, self.in_spans, self.shaded, ending);
-        let scale = if clipped { 1.0 } else { 1.0 / GUARD };
-        let constants = [constants, &[("CLIP_SCALE", scale)]].concat();
         let entries = [vertex.as_str(), fragment.as_str()];
-        gpu.draw_kernel((pass, clipped), entries, &constants, targets, &[Some(corners)], cover.culled())
+        gpu.draw_kernel(pass, entries, constants, targets, &[Some(corners)], cover.culled())
     }
 }
 
 /// What `project` and `faces` write of a corner, in order.
 fn corner_attributes(bivariate: bool, in_spans: bool, shaded: bool) -> Vec<wgpu::VertexAttribute> {
-    use wgpu::VertexFormat::{Float32x2, Float32x3};
-    let mut formats = vec![(0, Float32x2), (1, Float32x2), (2, Float32x3)];
+    use wgpu::VertexFormat::{Float32, Float32x2, Float32x3, Float32x4};
+    let mut formats: Vec<_> = (0..5).map(|location| (location, Float32x4)).collect();
     match (bivariate, in_spans) {
-        (true, _) => formats.extend([(3, Float32x2), (4, Float32x2)]),
-        (false, true) => formats.push((3, Float32x3)),
-        (false, false) => formats.push((3, Float32x2)),
+        (true, _) => formats.extend([(5, Float32x2), (6, Float32x3)]),
+        (false, true) => formats.push((5, Float32x2)),
+        (false, false) => formats.push((5, Float32)),
     }
     if shaded {
-        formats.extend([(5, Float32x3), (6, Float32x3)]);
+        formats.extend((7..11).map(|location| (location, Float32x3)));
     }
     let mut offset = 0;
     let attribute = |(shader_location, format): (u32, wgpu::VertexFormat)| {

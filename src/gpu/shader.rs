@@ -177,10 +177,7 @@ impl Module {
     /// # Errors
     /// The parser's or validator's message, with the shader's name.
     pub fn new(name: &'static str) -> Result<Self> {
-        Self::from_source(name, compose(name)?)
-    }
-
-    fn from_source(name: &'static str, source: String) -> Result<Self> {
+        let source = compose(name)?;
         let module = naga::front::wgsl::parse_str(&source)
             .map_err(|e| Error::Device(format!("shader '{name}' does not parse: {}", e.emit_to_string(&source))))?;
         let info = naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::all())
@@ -224,21 +221,19 @@ impl Module {
         Ok(Self { name, source, bindings: bindings.into_values().collect(), naga: module })
     }
 
-    /// The same, composed once; `in_perspective`: nothing is interpolated linearly.
+    /// The same, composed once.
     ///
     /// # Errors
     /// As [`Module::new`].
-    pub fn known(name: &'static str, in_perspective: bool) -> Result<Arc<Self>> {
-        type Known = BTreeMap<(&'static str, bool), Arc<Module>>;
+    pub fn known(name: &'static str) -> Result<Arc<Self>> {
+        type Known = BTreeMap<&'static str, Arc<Module>>;
         static KNOWN: Mutex<Known> = Mutex::new(BTreeMap::new());
         let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(module) = known.get(&(name, in_perspective)) {
+        if let Some(module) = known.get(name) {
             return Ok(Arc::clone(module));
         }
-        let source = compose(name)?;
-        let source = if in_perspective { source.replace("@interpolate(linear) ", "") } else { source };
-        let module = Arc::new(Self::from_source(name, source)?);
-        known.insert((name, in_perspective), Arc::clone(&module));
+        let module = Arc::new(Self::new(name)?);
+        known.insert(name, Arc::clone(&module));
         Ok(module)
     }
 

@@ -3,7 +3,6 @@
 use crate::error::{Error, Result};
 use crate::gpu::device::Gpu;
 use crate::gpu::record::Recorder;
-use crate::gpu::scene::GUARD;
 use crate::image::Image;
 
 /// What is drawn into.
@@ -77,15 +76,6 @@ impl Target {
             }),
             picture_texture,
         })
-    }
-
-    /// A viewport beyond which outlines do not reach, where they are not to be clipped.
-    pub fn set_viewport(&self, pass: &mut wgpu::RenderPass<'_>, clipped: bool) {
-        if !clipped {
-            let [width, height] = self.size.map(|n| n as f32);
-            let (scale, shift) = (GUARD as f32, 0.5 * (1.0 - GUARD as f32));
-            pass.set_viewport(shift * width, shift * height, scale * width, scale * height, 0.0, 1.0);
-        }
     }
 
     /// The finished picture.

@@ -49,6 +49,13 @@ pub const fn budget(kernel: &'static str, result: usize, measure: Measure, most:
     Budget { kernel, result, measure, most }
 }
 
+/// Budgets, but for those that `others` replace.
+pub fn replaced(budgets: &[Budget], others: &[Budget]) -> Vec<Budget> {
+    let same = |a: &Budget, b: &Budget| (a.kernel, a.result, a.measure) == (b.kernel, b.result, b.measure);
+    let one = |budget: &Budget| *others.iter().find(|other| same(budget, other)).unwrap_or(budget);
+    budgets.iter().map(one).collect()
+}
+
 /// What the definition gives at every input; computed once a process.
 pub fn truths(kernel: &Kernel) -> Arc<Vec<[f64; 2]>> {
     static KNOWN: Mutex<BTreeMap<&str, Arc<Vec<[f64; 2]>>>> = Mutex::new(BTreeMap::new());

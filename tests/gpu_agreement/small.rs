@@ -193,29 +193,6 @@ fn a_face_seen_edge_on_agrees() {
     agrees_from(&mesh, "tangle, edge-on", &transfer, ONE_COLOR, false, &[camera]);
 }
 
-/// Where nothing can be clipped, values are interpolated linearly: pictures of the size, and views, that most are.
-#[test]
-fn linear_interpolation_agrees() {
-    let mesh = meshes::fire();
-    let axes = Axes::of(&mesh);
-    let turned = axes.widget(axes.gaussian([0.4, 0.2], [0.03, 0.2], 0.7), GOLD, 30.0);
-    let size = [256, 192];
-    let [camera, flat] = cameras(&mesh);
-    for (name, transfer) in
-        [("curve", axes.curve([GOLD; 5])), ("turned Gaussian", TransferFunction::Widgets(vec![turned]))]
-    {
-        for camera in [camera, flat] {
-            let told = gpu::draw(&mut gpu::renderer(&mesh, gpu::by_centroids()), &camera, &transfer, size).stats;
-            assert!(told.pipelines.contains("interpolated linearly"), "{}", told.pipelines);
-            agrees_at(&mesh, &format!("fire, {name}, linearly"), &transfer, ONE_COLOR, false, &[camera], size);
-        }
-    }
-    // A camera that shows a part of it.
-    let near = Camera { projection: Projection::Perspective { fov_y: 0.2 }, ..camera };
-    let told = gpu::draw(&mut gpu::renderer(&mesh, gpu::by_centroids()), &near, &axes.curve([GOLD; 5]), size).stats;
-    assert!(told.pipelines.contains("in perspective"), "{}", told.pipelines);
-}
-
 #[test]
 fn the_fire_agrees() {
     all_functions(&meshes::fire(), "fire");

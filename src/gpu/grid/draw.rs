@@ -10,7 +10,6 @@ use crate::gpu::kernel::Resources;
 use crate::gpu::layout;
 use crate::gpu::record::{Recorder, Work};
 use crate::gpu::renderer::{EMPTY, ZERO, unprepared};
-use crate::gpu::scene::{GUARD, LONGEST_HAIR};
 use crate::gpu::sort;
 use crate::gpu::target::Target;
 use crate::plan::voxels::{self, BRICK, Near, Sides};
@@ -43,15 +42,13 @@ impl GridRenderer {
         let mut passes = self.draw_near(frame, &near.voxels, timed)?;
         let nearest = voxels::nearest(&self.grid, frame.camera);
         write_grid(&self.gpu, &self.store.samples, &self.grid, &self.part, nearest, Some(&near));
-        let has_viewport = frame.size.iter().all(|&n| n <= self.gpu.device.limits().max_texture_dimension_2d / 2);
-        let clipped = !has_viewport || has_near || !frame::lies_within(frame, &*self.grid, GUARD, LONGEST_HAIR);
-        self.scene.as_mut().ok_or_else(unprepared)?.need_raster(&self.gpu, clipped)?;
+        self.scene.as_mut().ok_or_else(unprepared)?.need_raster(&self.gpu)?;
         let gpu = self.gpu.clone();
         let mut recorder = Recorder::new(&gpu, timed);
         let (list, batches) = recorder.host("order of bricks", || self.batches(frame.camera, aspect, nearest, &near));
         self.write_frames(frame, &batches);
         let bricks = self.gpu.storage("bricks", &list);
-        self.draw_batches(&mut recorder, &bricks, &batches, clipped)?;
+        self.draw_batches(&mut recorder, &bricks, &batches)?;
         self.finish_picture(&mut recorder, has_near)?;
         self.last_batch = batches.last().map(|batch| {
             let bricks = list[batch.first..batch.first + batch.bricks].to_vec();
@@ -122,13 +119,7 @@ impl GridRenderer {
         }
     }
 
-    fn draw_batches(
-        &self,
-        recorder: &mut Recorder<'_>,
-        bricks: &wgpu::Buffer,
-        batches: &[Batch],
-        clipped: bool,
-    ) -> Result<()> {
+    fn draw_batches(&self, recorder: &mut Recorder<'_>, bricks: &wgpu::Buffer, batches: &[Batch]) -> Result<()> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let target = self.target.as_ref().ok_or_else(unprepared)?;
         let gpu = &self.gpu;
@@ -148,7 +139,7 @@ impl GridRenderer {
                 recorder.submit();
                 known = Some(sort::survivors(gpu, &self.store.counts)?);
             }
-            self.draw_listed(recorder, &all, (known, batch.listed), clipped)?;
+            self.draw_listed(recorder, &all, (known, batch.listed))?;
         }
         Ok(())
     }
@@ -159,12 +150,11 @@ impl GridRenderer {
         recorder: &mut Recorder<'_>,
         all: &Resources<'_>,
         (known, most): (Option<u32>, u32),
-        clipped: bool,
     ) -> Result<()> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let target = self.target.as_ref().ok_or_else(unprepared)?;
         let (gpu, store) = (&self.gpu, &self.store);
-        let raster = scene.raster(clipped).ok_or_else(unprepared)?;
+        let raster = scene.raster.as_ref().ok_or_else(unprepared)?;
         let groups = raster.bind(gpu, all)?;
         let indices = Cover::Outline.indices();
         for chunk in 0..known.unwrap_or(most).div_ceil(store.chunk_cells) {
@@ -174,7 +164,6 @@ impl GridRenderer {
             recorder.compute(&scene.project, &scene.project.bind(gpu, &resources)?, Work::Items(cells))?;
             // One draw: smaller ones fit a software adapter's caches better, but lavapipe keeps about 1 MB of each.
             recorder.draw(raster, &groups, &[(&target.blended, wgpu::LoadOp::Load)], |pass| {
-                target.set_viewport(pass, clipped);
                 pass.set_index_buffer(store.indices.slice(..), wgpu::IndexFormat::Uint32);
                 pass.set_vertex_buffer(0, store.corners.slice(..));
                 match known {

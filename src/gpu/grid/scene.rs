@@ -48,7 +48,8 @@ pub struct GridScene {
     pub near: DrawKernel,
     /// Finishes the picture.
     pub resolve: DrawKernel,
-    raster: [Option<DrawKernel>; 2],
+    /// Draws a chunk.
+    pub raster: Option<DrawKernel>,
     constants: Vec<(&'static str, f64)>,
 }
 
@@ -96,7 +97,7 @@ impl GridScene {
         constants.push(("INDICES", f64::from(Cover::Outline.indices())));
         let f32_format = wgpu::TextureFormat::Rgba32Float;
         let draw = |pass, blend| {
-            gpu.draw_kernel((pass, false), ["vertex", "fragment"], &constants, &[target(f32_format, blend)], &[], None)
+            gpu.draw_kernel(pass, ["vertex", "fragment"], &constants, &[target(f32_format, blend)], &[], None)
         };
         Ok(Self {
             perspective,
@@ -108,31 +109,26 @@ impl GridScene {
             project: gpu.kernel("grid_project", &constants)?,
             near: draw("grid_near", Some(BACK_TO_FRONT))?,
             resolve: draw("resolve", None)?,
-            raster: Default::default(),
+            raster: None,
             transfer,
             constants,
         })
     }
 
-    /// Makes the raster pass; `clipped`: outlines may leave the viewport.
+    /// Makes the raster pass.
     ///
     /// # Errors
     /// A shader that does not compile.
-    pub fn need_raster(&mut self, gpu: &Gpu, clipped: bool) -> Result<()> {
-        if self.raster[usize::from(clipped)].is_none() {
+    pub fn need_raster(&mut self, gpu: &Gpu) -> Result<()> {
+        if self.raster.is_none() {
             let kind = CornerKind { bivariate: self.transfer.bivariate, in_spans: self.spans.is_some(), shaded: false };
             let deep = self.spans.is_none_or(|spans| spans.deep);
             let constants = [&self.constants[..], &[("DEEP", f64::from(u8::from(deep)))]].concat();
             let targets = [target(wgpu::TextureFormat::Rgba32Float, Some(BACK_TO_FRONT))];
-            let kernel = kind.kernel(gpu, ["raster", ""], clipped, Cover::Outline, &constants, &targets)?;
-            self.raster[usize::from(clipped)] = Some(kernel);
+            let kernel = kind.kernel(gpu, ["raster", ""], Cover::Outline, &constants, &targets)?;
+            self.raster = Some(kernel);
         }
         Ok(())
-    }
-
-    /// The raster pass, after [`Self::need_raster`].
-    pub fn raster(&self, clipped: bool) -> Option<&DrawKernel> {
-        self.raster[usize::from(clipped)].as_ref()
     }
 }
 

@@ -99,7 +99,7 @@ impl GridStore {
             drawn_cells: buffer("drawn_cells", 4, copied | written),
             order: buffer("order", u64::from(batch_listed) * 4, copied),
             // Of a bivariate scene.
-            corners: buffer("corners", u64::from(chunk_cells) * 4 * 44, wgpu::BufferUsages::VERTEX),
+            corners: buffer("corners", u64::from(chunk_cells) * 4 * 100, wgpu::BufferUsages::VERTEX),
             indices: index_buffer,
             chunks,
         })

@@ -16,7 +16,6 @@ impl GpuRenderer {
         &self,
         recorder: &mut Recorder<'_>,
         all: &Resources<'_>,
-        clipped: bool,
         order: Option<&[u32]>,
         most: u32,
     ) -> Result<()> {
@@ -25,7 +24,7 @@ impl GpuRenderer {
         let (gpu, store) = (&self.gpu, &self.store);
         let indices = self.cover.indices();
         let all_deep = scene.spans.is_none_or(|spans| spans.deep);
-        let raster = |deep| scene.raster(clipped, deep).ok_or_else(unprepared);
+        let raster = |deep| scene.raster(deep).ok_or_else(unprepared);
         // The variants bind alike.
         let raster_groups = raster(all_deep)?.bind(gpu, all)?;
         let mut load = EMPTY;
@@ -34,7 +33,6 @@ impl GpuRenderer {
             self.project_chunk(recorder, all, chunk)?;
             let mut draw = |range: Option<std::ops::Range<u32>>, deep: bool| {
                 recorder.draw(raster(deep)?, &raster_groups, &[(&target.blended, load)], |pass| {
-                    target.set_viewport(pass, clipped);
                     pass.set_index_buffer(store.indices.slice(..), wgpu::IndexFormat::Uint32);
                     pass.set_vertex_buffer(0, store.cells.corners.slice(..));
                     match range {
@@ -82,19 +80,14 @@ impl GpuRenderer {
     }
 
     /// The same in f16, slab by slab. Returns the slabs that held, and the passes' times of the last attempt.
-    pub(super) fn raster_slabs(
-        &self,
-        mut recorder: Recorder<'_>,
-        clipped: bool,
-        timed: bool,
-    ) -> Result<(Slabs, Vec<PassTime>)> {
+    pub(super) fn raster_slabs(&self, mut recorder: Recorder<'_>, timed: bool) -> Result<(Slabs, Vec<PassTime>)> {
         recorder.submit();
         let cells = sort::survivors(&self.gpu, &self.store.cells.counts)?;
         let mut slabs = self.slabs.clone();
         let mut before = recorder.finish()?;
         loop {
             let mut recorder = Recorder::new(&self.gpu, timed);
-            let layers = self.raster_slabs_once(&mut recorder, clipped, &slabs.ranges(cells))?;
+            let layers = self.raster_slabs_once(&mut recorder, &slabs.ranges(cells))?;
             let passes = recorder.finish()?;
             let layers: Vec<u32> = match &layers {
                 Some(buffer) => self.gpu.map(buffer, buffer.size())?,
@@ -111,7 +104,6 @@ impl GpuRenderer {
     pub(super) fn raster_slabs_once(
         &self,
         recorder: &mut Recorder<'_>,
-        clipped: bool,
         ranges: &[std::ops::Range<u32>],
     ) -> Result<Option<wgpu::Buffer>> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
@@ -121,7 +113,7 @@ impl GpuRenderer {
         let (Some(kernels), Some(slab_target)) = (&scene.slabs, &target.slabs) else { return Err(unprepared()) };
         let all = self.resources(&scene.transfer);
         let deep = scene.spans.is_none_or(|spans| spans.deep);
-        let raster = scene.raster(clipped, deep).ok_or_else(unprepared)?;
+        let raster = scene.raster(deep).ok_or_else(unprepared)?;
         let raster_groups = raster.bind(gpu, &all)?;
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
         let most_layers = gpu.buffer("most_layers", 4, usage);
@@ -146,7 +138,6 @@ impl GpuRenderer {
                 let end = range.end.min(first + store.chunk_cells) - first;
                 let targets = [(&target.blended, loads[0]), (&slab_target.layers, loads[1])];
                 recorder.draw(raster, &raster_groups, &targets, |pass| {
-                    target.set_viewport(pass, clipped);
                     pass.set_index_buffer(store.indices.slice(..), wgpu::IndexFormat::Uint32);
                     pass.set_vertex_buffer(0, store.cells.corners.slice(..));
                     pass.draw_indexed(start * indices..end * indices, 0, 0..1);

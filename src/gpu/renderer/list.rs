@@ -15,15 +15,14 @@ impl GpuRenderer {
         &self,
         mut recorder: Recorder<'_>,
         lists: &mut FragmentLists,
-        clipped: bool,
     ) -> Result<(Vec<Strip>, Vec<PassTime>)> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
-        let kernels = scene.lists(clipped).ok_or_else(unprepared)?;
+        let kernels = scene.lists.as_ref().ok_or_else(unprepared)?;
         let gpu = &self.gpu;
         recorder.submit();
         let cells = sort::survivors(gpu, &self.store.cells.counts)?;
         lists.clear(&mut recorder);
-        self.draw_listed(&mut recorder, lists, (&kernels.tally, clipped), cells, None)?;
+        self.draw_listed(&mut recorder, lists, &kernels.tally, cells, None)?;
         let resources = self.resources(&scene.transfer);
         let all = lists.offer(resources.clone());
         recorder.compute(&lists.rows, &lists.rows.bind(gpu, &all)?, Work::Groups(lists.size[1]))?;
@@ -34,7 +33,7 @@ impl GpuRenderer {
         recorder.encoder().clear_buffer(&lists.fragments, 0, None);
         for &strip in &strips {
             gpu.queue.write_buffer(&lists.strip, 0, bytemuck::bytes_of(&strip.uniform()));
-            self.draw_listed(&mut recorder, lists, (&kernels.list, clipped), cells, Some(strip))?;
+            self.draw_listed(&mut recorder, lists, &kernels.list, cells, Some(strip))?;
             lists.compose(gpu, &mut recorder, &all, strip)?;
         }
         lists.check(gpu)?;
@@ -46,7 +45,7 @@ impl GpuRenderer {
         &self,
         recorder: &mut Recorder<'_>,
         lists: &FragmentLists,
-        (kernel, clipped): (&DrawKernel, bool),
+        kernel: &DrawKernel,
         cells: u32,
         strip: Option<Strip>,
     ) -> Result<()> {
@@ -62,7 +61,6 @@ impl GpuRenderer {
                 self.project_chunk(recorder, &all, chunk)?;
             }
             recorder.draw(kernel, &groups, &[(&target.blended, wgpu::LoadOp::Load)], |pass| {
-                target.set_viewport(pass, clipped);
                 if let Some(strip) = strip {
                     let [top, height] = strip.rows(lists.size[0]);
                     pass.set_scissor_rect(0, top, lists.size[0], height);
