@@ -1,3 +1,5 @@
-//! What runs are worth, in numbers for people: how far an integral is from the truth, case by case.
+//! What runs are worth, in numbers for people: how far an integral is from the truth, case by case; what a picture took
+//! and how far it is from the truth.
 
+pub mod record;
 pub mod segments;

@@ -91,7 +91,7 @@ fn the_command_line_tells_what_to_do() {
         let common = ["render", mesh, "-o", &picture, "--size", "32x32", "--device", device];
         run(&[&common, more].concat())
     };
-    let render = |mesh: &str, more: &[&str]| on("software", mesh, &[&["--order", "structured"][..], more].concat());
+    let render = |mesh: &str, more: &[&str]| on("gpu", mesh, &[&["--order", "structured"][..], more].concat());
     let (code, text) = render(&raw, &["--dims", "4x4x4", "--sample-type", "u8", "--explain"]);
     assert_eq!(code, 0, "{text}");
     assert!(text.contains("135  after in the grid") && text.contains("B a voxel"), "{text}");
@@ -126,9 +126,9 @@ fn the_command_line_tells_what_to_do() {
         (&["--order", "centroid"], false),
         (&["--light", "0,0,1"], false),
     ] {
-        let (code, text) = on("software", &raw, &[&cube[..], &["--explain"], more].concat());
+        let (code, text) = on("gpu", &raw, &[&cube[..], &["--explain"], more].concat());
         assert!(code == 0 && text.contains("in the grid") == is_grid, "{more:?}: {code}: {text}");
     }
-    let (code, text) = on("software", &fire, &["--clip", "0,0,0,1,1,1"]);
+    let (code, text) = on("gpu", &fire, &["--clip", "0,0,0,1,1,1"]);
     assert!(code == 2 && text.contains("--clip takes a rectilinear grid"), "{code}: {text}");
 }
