@@ -2,6 +2,7 @@
 
 mod integral;
 mod order;
+mod probe;
 
 use std::time::Duration;
 
@@ -12,6 +13,7 @@ use crate::scene::{Camera, Optics, TransferFunction};
 
 pub use integral::SegmentIntegral;
 pub use order::{OrderChoice, OrderMethod};
+pub use probe::{ChosenIntegral, Engine, LEAST_TOLERANCE, TOLERANCE, choose_integral};
 
 /// How cells meet pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -195,4 +197,7 @@ pub trait Renderer {
 
     /// Renders `frame` and waits for it, leaving the picture on the device: what is timed as a frame.
     fn render_only(&mut self, frame: &Frame<'_>) -> Result<Duration>;
+
+    /// From the next frame on, integrates in another way. The reference knows one alone.
+    fn set_integral(&mut self, integral: SegmentIntegral);
 }

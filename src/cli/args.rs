@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
+use super::bench::args::BenchCommand;
 use super::parse;
 use crate::mesh::synth::Sample;
 use crate::renderer::{self, SegmentIntegral};
@@ -32,6 +33,11 @@ pub(super) enum Command {
     Histogram(HistogramArgs),
     /// Make the tables that the shaders look up, or compare them with what is there
     Tables(TablesArgs),
+    /// Measure time and error of methods, integrals and orders, and chart one against the other
+    Bench {
+        #[command(subcommand)]
+        what: BenchCommand,
+    },
 }
 
 /// Which mesh, and how to read it.
@@ -61,6 +67,67 @@ pub(super) struct SourceArgs {
     /// Merge points at exactly one place, which closes the slits between blocks
     #[arg(long)]
     pub weld: bool,
+}
+
+impl SourceArgs {
+    /// A file that is read as its name says.
+    pub fn of(mesh: PathBuf) -> Self {
+        Self {
+            mesh,
+            step: None,
+            solution: None,
+            dims: None,
+            spacing: None,
+            sample_type: None,
+            split: None,
+            weld: false,
+        }
+    }
+}
+
+/// An integral, or the cheapest that holds a tolerance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum IntegralChoice {
+    Auto,
+    Fixed(SegmentIntegral),
+}
+
+impl IntegralChoice {
+    /// The one that was asked for.
+    pub fn fixed(self) -> Option<SegmentIntegral> {
+        match self {
+            Self::Auto => None,
+            Self::Fixed(integral) => Some(integral),
+        }
+    }
+}
+
+impl Default for IntegralChoice {
+    fn default() -> Self {
+        Self::Fixed(SegmentIntegral::default())
+    }
+}
+
+impl std::fmt::Display for IntegralChoice {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Auto => f.write_str("auto"),
+            Self::Fixed(integral) => integral.fmt(f),
+        }
+    }
+}
+
+impl std::str::FromStr for IntegralChoice {
+    type Err = crate::error::Error;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        if text == "auto" { Ok(Self::Auto) } else { text.parse().map(Self::Fixed) }
+    }
+}
+
+/// What a choice is called on the command line.
+pub(super) fn name_of(choice: impl ValueEnum) -> String {
+    choice.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default()
 }
 
 /// Tetrahedra per hexahedron.
@@ -180,10 +247,13 @@ pub(super) struct ChoiceArgs {
     #[arg(long, default_value = "auto")]
     pub order: Order,
     /// How one ray segment in one cell is integrated: vertex-linear, mean-scalar, preintegrated[:N], partial[:N],
-    /// partial-direct, analytic, segmented:N, adaptive[:TOLERANCE]
+    /// partial-direct, analytic, segmented:N, adaptive[:TOLERANCE]; auto: the cheapest that holds --tolerance
     #[arg(long, default_value_t)]
     #[serde(serialize_with = "as_text")]
-    pub integral: SegmentIntegral,
+    pub integral: IntegralChoice,
+    /// What a channel of a pixel may err by, for --integral auto
+    #[arg(long, value_name = "ERROR", default_value_t = renderer::TOLERANCE, value_parser = parse::tolerance)]
+    pub tolerance: f64,
     /// Where cells are sorted; auto: on the host for software adapters
     #[arg(long, default_value = "auto")]
     pub sort: Sort,
@@ -205,6 +275,22 @@ pub(super) struct ChoiceArgs {
 }
 
 impl ChoiceArgs {
+    /// Defaults but for these.
+    pub fn of(method: Method, order: Order, integral: IntegralChoice) -> Self {
+        Self {
+            method,
+            order,
+            integral,
+            tolerance: renderer::TOLERANCE,
+            sort: Sort::Auto,
+            blend: Blend::Auto,
+            layout: Layout::Auto,
+            no_cull: false,
+            clip: None,
+            least_transmittance: renderer::Settings::default().least_transmittance,
+        }
+    }
+
     /// The library's words for it.
     pub fn settings(self) -> renderer::Settings {
         renderer::Settings {
@@ -214,7 +300,7 @@ impl ChoiceArgs {
                 Method::Cellcast => renderer::Method::CellCast,
                 Method::Raycast => renderer::Method::RayCast,
             },
-            integral: self.integral,
+            integral: self.integral.fixed().unwrap_or_default(),
             order: match self.order {
                 Order::Auto => renderer::OrderMethod::Auto,
                 Order::Centroid => renderer::OrderMethod::Centroid,
@@ -277,10 +363,10 @@ pub(super) enum SilhouetteMode {
     Depth,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Method {
-    /// Projected tetrahedra on graphics devices; rays on the CPU, and through rectilinear grids
+    /// Rays; projected tetrahedra on graphics devices where an order of cells is asked for, or links do not fit
     Auto,
     /// Projected tetrahedra
     Project,
@@ -290,7 +376,7 @@ pub(super) enum Method {
     Raycast,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Order {
     /// The cheapest that the function and the mesh allow
@@ -330,7 +416,7 @@ pub(super) enum Blend {
     F16,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Device {
     /// A hardware graphics adapter if there is one, else the CPU, or what can render the scene

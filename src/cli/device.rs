@@ -10,7 +10,7 @@ use crate::cpu::{self, CpuRenderer};
 use crate::error::{Error, Result};
 use crate::gpu::{DeviceChoice, Gpu, GpuRenderer, GridCaster, GridRenderer, RayCaster};
 use crate::oracle::Oracle;
-use crate::renderer::{BlendFormat, Method, OrderMethod, Renderer, Settings};
+use crate::renderer::{BlendFormat, Engine, Method, OrderMethod, Renderer, Settings};
 use crate::scene::{Optics, TransferFunction};
 use crate::space::Bounds;
 use crate::tet::{Grid, TetMesh};
@@ -19,6 +19,8 @@ use crate::tet::{Grid, TetMesh};
 pub(super) struct Chosen {
     pub renderer: Box<dyn Renderer>,
     pub note: Option<String>,
+    /// `None`: the reference.
+    pub engine: Option<Engine>,
 }
 
 /// What decides.
@@ -32,43 +34,58 @@ pub(super) struct Wish<'a> {
 /// The renderer of one's wish. `bar` follows pictures of renderers that know how far they are.
 pub(super) fn renderer(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<Chosen> {
     let settings = wish.settings;
-    let renderer = match wish.device {
-        Device::Oracle => reference(mesh, bar),
-        Device::Cpu => cast(mesh, settings)?,
-        Device::Gpu => on_gpu(Gpu::new(DeviceChoice::Any)?, mesh, settings)?,
-        Device::Software => on_gpu(Gpu::new(DeviceChoice::Software)?, mesh, settings)?,
+    let on = |choice| Ok((on_gpu(Gpu::new(choice)?, mesh, settings)?, Some(Engine::Device)));
+    let (renderer, engine) = match wish.device {
+        Device::Oracle => (reference(mesh, bar), None),
+        Device::Cpu => (cast(mesh, settings)?, Some(Engine::Host)),
+        Device::Gpu => on(DeviceChoice::Any)?,
+        Device::Software => on(DeviceChoice::Software)?,
         Device::Auto => return automatic(mesh, wish, bar),
     };
     let casts = matches!(wish.device, Device::Cpu | Device::Oracle) || settings.method == Method::RayCast;
     let note = (casts && settings.order != OrderMethod::Auto)
         .then(|| "rays have no order of cells: --order is not used".into());
-    Ok(Chosen { renderer, note })
+    Ok(Chosen { renderer, note, engine })
 }
 
 /// Hardware first; then the CPU engine if it can render the scene; then a software adapter, and the reference at last.
 fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<Chosen> {
     let settings = wish.settings;
-    let chosen = |renderer, note: &str| Ok(Chosen { renderer, note: (!note.is_empty()).then(|| note.into()) });
+    let chosen =
+        |renderer, engine, note: &str| Ok(Chosen { renderer, engine, note: (!note.is_empty()).then(|| note.into()) });
+    let host = Some(Engine::Host);
     let castable = matches!(settings.method, Method::Auto | Method::RayCast)
         && cpu::supports(wish.transfer, wish.optics, settings.integral).is_ok();
     match Gpu::new(DeviceChoice::Any) {
         Ok(gpu) if gpu.is_software() && castable => chosen(
             cast(mesh, settings)?,
+            host,
             &format!(
                 "'{}' is a software adapter: the CPU engine, whose visibility is exact, is taken instead",
                 gpu.info.name
             ),
         ),
-        Ok(gpu) => chosen(on_gpu(gpu, mesh, settings)?, ""),
+        Ok(gpu) => chosen(on_gpu(gpu, mesh, settings)?, Some(Engine::Device), ""),
         Err(Error::Device(why)) if castable => {
-            chosen(cast(mesh, settings)?, &format!("{why}; rays are cast on the CPU instead"))
+            chosen(cast(mesh, settings)?, host, &format!("{why}; rays are cast on the CPU instead"))
         }
         Err(Error::Device(why)) => {
             let note = format!("{why}; rendered on the CPU with the f64 reference instead, which is slow");
-            chosen(reference(mesh, bar), &note)
+            chosen(reference(mesh, bar), None, &note)
         }
         Err(other) => Err(other),
     }
+}
+
+/// What a device is called here; none where there is none.
+pub(super) fn adapter(device: Device) -> Result<String> {
+    let choice = match device {
+        Device::Cpu => return Ok(cpu::describe()),
+        Device::Oracle => return Ok("the f64 reference".into()),
+        Device::Auto | Device::Gpu => DeviceChoice::Any,
+        Device::Software => DeviceChoice::Software,
+    };
+    Ok(Gpu::new(choice)?.describe())
 }
 
 /// Whether a grid needs no mesh: a graphics device that draws the scene without one.
@@ -110,14 +127,24 @@ pub(super) fn grid_renderer(grid: &Arc<Grid>, wish: &Wish<'_>, clip: Option<[f64
         Box::new(if let Some(bounds) = bounds { renderer.clipped_to(&bounds)? } else { renderer })
     };
     let note = "a voxel of the grid stands for five tetrahedra, none of which is held; --split 6 makes a mesh";
-    Ok(Chosen { renderer, note: is_auto.then(|| note.into()) })
+    Ok(Chosen { renderer, note: is_auto.then(|| note.into()), engine: Some(Engine::Device) })
 }
 
 fn cast(mesh: &Arc<TetMesh>, settings: Settings) -> Result<Box<dyn Renderer>> {
     Ok(Box::new(CpuRenderer::new(Arc::clone(mesh), settings)?))
 }
 
+/// Rays are the default: they see what is in front exactly, and of all meshes in `bench/results` they cost less on graphics
+/// devices than projected cells in an order as good.
 fn on_gpu(gpu: Gpu, mesh: &Arc<TetMesh>, settings: Settings) -> Result<Box<dyn Renderer>> {
+    let free = settings.order == OrderMethod::Auto && settings.blend == BlendFormat::Auto;
+    if settings.method == Method::Auto && free {
+        match RayCaster::new(gpu.clone(), Arc::clone(mesh), settings) {
+            // Links take more room than cells.
+            Err(Error::Device(_)) => {}
+            caster => return Ok(Box::new(caster?)),
+        }
+    }
     Ok(match settings.method {
         Method::RayCast => Box::new(RayCaster::new(gpu, Arc::clone(mesh), settings)?),
         Method::Auto | Method::Project | Method::CellCast => {

@@ -1,5 +1,7 @@
 //! Values as they are typed: sizes, vectors, colours, assignments.
 
+use crate::renderer::LEAST_TOLERANCE;
+
 /// `800x600`.
 pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
     counts(text, "WIDTHxHEIGHT, as 800x600")
@@ -67,6 +69,12 @@ pub(super) fn color(text: &str) -> Result<String, String> {
 pub(super) fn share(text: &str) -> Result<f64, String> {
     let number = text.trim().parse().ok().filter(|v| (0.0..=1.0).contains(v));
     number.ok_or_else(|| "write a number from 0 to 1, as 1e-5".into())
+}
+
+/// What a channel may err by.
+pub(super) fn tolerance(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse().ok().filter(|v| (LEAST_TOLERANCE..=1.0).contains(v));
+    number.ok_or_else(|| format!("write a number from {LEAST_TOLERANCE} to 1: more exact pictures are not promised"))
 }
 
 /// `key=value`.

@@ -5,14 +5,14 @@ use std::time::{Duration, Instant};
 
 use indicatif::ProgressBar;
 
-use super::args::RenderArgs;
+use super::args::{IntegralChoice, RenderArgs};
 use super::device::{Chosen, Wish};
 use super::job::RenderJob;
 use super::load::Wanted;
 use super::stats::{Report, Timing};
 use super::{device, legend, load, output, progress};
 use crate::error::{Error, Result};
-use crate::renderer::{Frame, OrderMethod, Renderer};
+use crate::renderer::{Frame, OrderMethod, Renderer, choose_integral};
 use crate::tet::Domain;
 
 pub(super) fn run(args: &RenderArgs) -> anyhow::Result<()> {
@@ -55,18 +55,26 @@ fn draw(
     let start = Instant::now();
     let settings = args.choices.settings();
     let wish = Wish { device: args.device, settings, transfer: &transfer, optics: &job.scene.optics };
-    let Chosen { mut renderer, note } = progress::step("preparing", || make(&wish, &bar))?;
+    let Chosen { mut renderer, note, engine } = progress::step("preparing", || make(&wish, &bar))?;
     let prepare = start.elapsed();
     let background = job.scene.premultiplied_background();
     let frame =
         Frame { camera: &camera, transfer: &transfer, optics: &job.scene.optics, size: job.scene.size, background };
     let timed = args.explain || args.stats.is_some();
+    let integral = match (args.choices.integral, engine) {
+        (IntegralChoice::Auto, Some(engine)) => {
+            let choose = || choose_integral(&mut *renderer, engine, &frame, args.choices.tolerance);
+            Some(progress::step("choosing", choose)?)
+        }
+        _ => None,
+    };
     let mut rendered = progress::step_with(bar, || renderer.render(&frame, timed))?;
     // The picture above was the warm-up: passes are timed once more.
     if !rendered.stats.passes.is_empty() {
         rendered.stats = renderer.render(&frame, timed)?.stats;
     }
-    rendered.stats.notes.splice(0..0, note);
+    let integral = integral.map(|chosen| format!("{} is the integral: {}", chosen.integral, chosen.why));
+    rendered.stats.notes.splice(0..0, note.into_iter().chain(integral));
     let frames = if timed || args.repeat > 1 { time_frames(&mut *renderer, &frame, args.repeat)? } else { Vec::new() };
     let image = if args.legend { legend::beside(&rendered.image, mesh, &transfer)? } else { rendered.image };
     progress::step("writing", || output::whole(|| image.write(&args.output, job.encoding)))?;

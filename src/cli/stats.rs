@@ -147,7 +147,7 @@ impl<'a> Report<'a> {
             text,
             "plan      {:?}, {} integral, culling {}",
             choices.method,
-            choices.integral,
+            self.settings.integral,
             if choices.cull { "on" } else { "off" }
         );
         if !self.order.is_empty() {

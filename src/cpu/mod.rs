@@ -54,5 +54,5 @@ mod walk;
 mod widgets;
 
 pub use path::{Path, path};
-pub use renderer::{CpuRenderer, supports};
+pub use renderer::{CpuRenderer, describe, supports};
 pub use transfer::{Integrated, integrate};

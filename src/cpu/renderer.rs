@@ -152,7 +152,7 @@ impl CpuRenderer {
             rays: Some(drawn.counts),
             passes: if timed { passes.map(pass).collect() } else { Vec::new() },
             buffers: sizes.map(|(name, bytes)| BufferSize { name: name.into(), bytes: bytes as u64 }).collect(),
-            adapter: format!("CPU ({} threads, ray casting)", rayon::current_num_threads()),
+            adapter: describe(),
             order: "along each ray: exact".to_owned(),
             inversions: None,
             notes: Vec::new(),
@@ -166,6 +166,11 @@ struct Drawn {
     times: [Duration; 3],
 }
 
+/// What stands for an adapter where rays are cast on the host.
+pub fn describe() -> String {
+    format!("CPU ({} threads, ray casting)", rayon::current_num_threads())
+}
+
 impl Renderer for CpuRenderer {
     fn render(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Rendered> {
         let drawn = self.draw(frame)?;
@@ -177,6 +182,11 @@ impl Renderer for CpuRenderer {
         let start = Instant::now();
         self.draw(frame)?;
         Ok(start.elapsed())
+    }
+
+    fn set_integral(&mut self, integral: SegmentIntegral) {
+        self.settings.integral = integral;
+        self.scene = None;
     }
 }
 

@@ -26,7 +26,9 @@ use crate::gpu::store::{DEEP_SPAN, SPAN_BITS};
 use crate::gpu::target::Target;
 use crate::gpu::transfer::TransferBuffers;
 use crate::plan::voxels::{self, BRICK, Near};
-use crate::renderer::{BlendFormat, BufferSize, Frame, Method, PassTime, Rendered, Renderer, Settings, Stats};
+use crate::renderer::{
+    BlendFormat, BufferSize, Frame, Method, PassTime, Rendered, Renderer, SegmentIntegral, Settings, Stats,
+};
 use crate::scene::{Optics, Projection};
 use crate::space::Bounds;
 use crate::tet::{Domain as _, Grid, VoxelBox};
@@ -228,6 +230,11 @@ impl Renderer for GridRenderer {
         let start = Instant::now();
         self.draw_frame(frame, false)?;
         Ok(start.elapsed())
+    }
+
+    fn set_integral(&mut self, integral: SegmentIntegral) {
+        self.settings.integral = integral;
+        self.scene = None;
     }
 }
 

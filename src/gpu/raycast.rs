@@ -20,7 +20,9 @@ use crate::gpu::transfer::TransferBuffers;
 use crate::plan::entries::BoundaryView;
 use crate::plan::eye;
 use crate::plan::lens::Lens;
-use crate::renderer::{BufferSize, CellLayout, Frame, PassTime, RayCounts, Rendered, Renderer, Settings, Stats};
+use crate::renderer::{
+    BufferSize, CellLayout, Frame, PassTime, RayCounts, Rendered, Renderer, SegmentIntegral, Settings, Stats,
+};
 use crate::scene::EmissionModel;
 use crate::tet::{LinkedMesh, TetMesh};
 
@@ -387,6 +389,11 @@ impl Renderer for RayCaster {
         let start = Instant::now();
         self.draw_frame(frame, false)?;
         Ok(start.elapsed())
+    }
+
+    fn set_integral(&mut self, integral: SegmentIntegral) {
+        self.settings.integral = integral;
+        self.scene = None;
     }
 }
 

@@ -456,6 +456,11 @@ impl Renderer for GpuRenderer {
         self.draw_frame(frame, false)?;
         Ok(start.elapsed())
     }
+
+    fn set_integral(&mut self, integral: SegmentIntegral) {
+        self.settings.integral = integral;
+        self.scene = None;
+    }
 }
 
 fn sorts_on_host(gpu: &Gpu, settings: Settings) -> bool {

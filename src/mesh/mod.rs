@@ -103,6 +103,11 @@ pub enum Topology {
 }
 
 impl Topology {
+    /// Tetrahedra alone, of these vertices.
+    pub fn tetrahedra(cells: &[[u32; 4]]) -> Self {
+        Self::Cells { kinds: vec![CellKind::Tetrahedron; cells.len()], nodes: cells.as_flattened().to_vec() }
+    }
+
     /// Number of volume cells, blanked ones included.
     pub fn cell_count(&self) -> usize {
         match self {

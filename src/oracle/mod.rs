@@ -24,7 +24,7 @@ use std::time::{Duration, Instant};
 
 use crate::error::{Error, Result};
 use crate::image::Image;
-use crate::renderer::{Frame, PassTime, Rendered, Renderer, Stats};
+use crate::renderer::{Frame, PassTime, Rendered, Renderer, SegmentIntegral, Stats};
 use crate::tet::TetMesh;
 
 pub use shade::Shade;
@@ -130,4 +130,6 @@ impl Renderer for Oracle {
         self.image(frame)?;
         Ok(start.elapsed())
     }
+
+    fn set_integral(&mut self, _: SegmentIntegral) {}
 }

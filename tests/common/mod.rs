@@ -5,6 +5,7 @@ pub mod agreement;
 pub mod boxes;
 pub mod delaunay;
 pub mod gpu;
+pub mod held_out;
 pub mod integral_scene;
 pub mod meshes;
 pub mod npy;

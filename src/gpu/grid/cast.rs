@@ -16,7 +16,7 @@ use crate::gpu::runner::{RayRunner, Timed, grow};
 use crate::gpu::target::Target;
 use crate::gpu::transfer::TransferBuffers;
 use crate::plan::lens::Lens;
-use crate::renderer::{BufferSize, Frame, PassTime, RayCounts, Rendered, Renderer, Settings, Stats};
+use crate::renderer::{BufferSize, Frame, PassTime, RayCounts, Rendered, Renderer, SegmentIntegral, Settings, Stats};
 use crate::scene::EmissionModel;
 use crate::space::Bounds;
 use crate::tet::{Domain as _, Grid, VoxelBox};
@@ -211,6 +211,11 @@ impl Renderer for GridCaster {
         let start = Instant::now();
         self.draw_frame(frame, false)?;
         Ok(start.elapsed())
+    }
+
+    fn set_integral(&mut self, integral: SegmentIntegral) {
+        self.settings.integral = integral;
+        self.scene = None;
     }
 }
 
