@@ -144,14 +144,14 @@ fn a_report_is_one_page_and_charts() {
         assert_eq!(document.root_element().tag_name().namespace(), Some("http://www.w3.org/2000/svg"), "{name}");
         assert!(name.ends_with("-light.svg") || name.ends_with("-dark.svg"), "{name}");
     }
-    let speed = svg(&files, "speed-fire-bands-640x480-1-light.svg");
+    let speed = svg(&files, "speed-fire-bands-640x480-light.svg");
     assert_eq!(texts(&speed, "title").len(), 6, "a title a point: five contenders and a peer");
     let told = texts(&speed, "title").into_iter().find(|t| t.contains("gpu raycast")).unwrap();
     for part in ["views: 2", "time: 1.88 ms (1.69 to 2.26)", "RMSE: 2.00e-5", "PSNR: 94.0 dB", "order: per-pixel"] {
         assert!(told.contains(part), "{told}\nlacks {part}");
     }
     assert!(texts(&speed, "text").contains(&"0, equal"), "the oracle's line");
-    let growth = svg(&files, "tetrahedra-bands__640x480-1-dark.svg");
+    let growth = svg(&files, "tetrahedra-bands-640x480-dark.svg");
     let fits: Vec<_> = texts(&growth, "text").into_iter().filter(|t| t.contains("exponent 1.00 ± 0.00")).collect();
     assert_eq!(fits.len(), 5, "times are proportional to tetrahedra: {:?}", texts(&growth, "text"));
 }

@@ -71,7 +71,7 @@ fn svg(
         let all = [[0.0, 0.0], [WIDTH, height.ceil()]];
         canvas
             .rectangle(all, theme.paper)
-            .and_then(|()| canvas.text(title, [16.0, 22.0], HPos::Left, 15.0, theme.ink))
+            .and_then(|()| canvas.text(&fitting(title, WIDTH - 32.0, 15.0), [16.0, 22.0], HPos::Left, 15.0, theme.ink))
             .and_then(|()| draw(&canvas, theme))
             .and_then(|()| canvas.0.present())
             .map_err(|e| Error::Mesh(format!("cannot draw: {e}")))?;
@@ -169,11 +169,8 @@ impl Frame<'_> {
     }
 }
 
-/// Rows of a mark and what it means, in columns.
-pub(super) struct Legend {
-    pub entries: Vec<(Sign, String)>,
-    pub columns: usize,
-}
+/// Columns of marks and what they mean.
+pub(super) struct Legend(pub Vec<Vec<(Sign, String)>>);
 
 /// What stands before a legend's text.
 #[derive(Clone, Copy)]
@@ -189,16 +186,16 @@ pub(super) enum Sign {
 
 impl Legend {
     pub fn height(&self) -> f64 {
-        ROW * self.entries.len().div_ceil(self.columns) as f64
+        ROW * self.0.iter().map(Vec::len).max().unwrap_or(0) as f64
     }
 
     /// Below `top`.
     pub fn draw(&self, canvas: &Canvas<'_>, theme: &Theme, top: f64) -> Drawn {
-        let rows = self.entries.len().div_ceil(self.columns).max(1);
-        let column = (WIDTH - 32.0) / self.columns as f64;
-        for (i, (sign, text)) in self.entries.iter().enumerate() {
-            let at = [24.0 + column * (i / rows) as f64, top + ROW * ((i % rows) as f64 + 0.5)];
-            let inked = Theme { series: [theme.faint; 8], ..*theme };
+        let width = (WIDTH - 32.0) / self.0.len() as f64;
+        let inked = Theme { series: [theme.faint; 8], ..*theme };
+        let entries = self.0.iter().enumerate().flat_map(|(c, column)| (0..).zip(column).map(move |(r, e)| (c, r, e)));
+        for (column, row, (sign, text)) in entries {
+            let at = [24.0 + width * column as f64, top + ROW * (f64::from(row) + 0.5)];
             match *sign {
                 Sign::Whole(mark) => mark.draw(canvas, theme, at, 5.0)?,
                 Sign::Color(mark) => {
@@ -211,7 +208,7 @@ impl Legend {
                 }
                 Sign::Line => canvas.path(&[[at[0] - 8.0, at[1]], [at[0] + 8.0, at[1]]], theme.faint, 1.5)?,
             }
-            let text = fitting(text, column - 20.0, TEXT);
+            let text = fitting(text, width - 20.0, TEXT);
             canvas.text(&text, [at[0] + 14.0, at[1]], HPos::Left, TEXT, theme.ink)?;
         }
         Ok(())

@@ -22,6 +22,9 @@ const RIGHT: f64 = WIDTH - 18.0;
 const TOP: f64 = 66.0;
 const BOTTOM: f64 = 340.0;
 
+/// More lines than these nobody follows.
+const MOST: usize = 12;
+
 /// One contender.
 struct Series<'a> {
     mark: Mark,
@@ -34,35 +37,30 @@ struct Series<'a> {
 /// The charts, and what has too few sizes for one.
 pub(super) fn charts(points: &Points<'_>, looks: &Looks, against: Against) -> Result<(Vec<Chart>, Vec<String>)> {
     let mut sorted: Vec<&Point<'_>> = points.points.iter().collect();
-    let shared = |p: &Point<'_>| {
-        let (mesh, size) = match against {
-            Against::Tetrahedra => (String::new(), p.group.size),
-            Against::Pixels => (p.group.mesh.to_owned(), [0, 0]),
-        };
-        (mesh, p.group.scene.to_owned(), size, p.group.host)
-    };
+    let shared = |p: &Point<'_>| (against.shared(p), p.group.host);
     // A stable sort: contenders stay in their order.
     sorted.sort_by_key(|p| shared(p));
     let (mut charts, mut left_out) = (Vec::new(), Vec::new());
     for group in sorted.chunk_by(|a, b| shared(a) == shared(b)) {
-        let title = title(points, group[0], against);
+        let what = against.shared(group[0]);
+        let title = format!("{what}{}", points.host_note(group[0].group.host));
         match different(group.iter().map(|p| against.of(p))) {
             count @ ..3 => left_out.push(format!("{title}: {count} of the three sizes that a growth takes")),
-            _ => charts.push(chart(title, group, looks, against)?),
+            _ => charts.push(chart(&what, title, group, looks, against)?),
         }
     }
     Ok((charts, left_out))
 }
 
-fn title(points: &Points<'_>, first: &Point<'_>, against: Against) -> String {
-    let note = points.host_note(first.group.host);
-    match against {
-        Against::Tetrahedra => format!("{}, {}{note}", first.group.scene, words::size(first.subject)),
-        Against::Pixels => format!("{} · {}{note}", first.group.mesh, first.group.scene),
-    }
-}
-
 impl Against {
+    /// What the points of a chart have in common.
+    fn shared(self, point: &Point<'_>) -> String {
+        match self {
+            Self::Tetrahedra => format!("{}, {}", point.group.scene, words::size(point.subject)),
+            Self::Pixels => format!("{} · {}", point.group.mesh, point.group.scene),
+        }
+    }
+
     fn of(self, point: &Point<'_>) -> f64 {
         match self {
             Self::Tetrahedra => point.subject.tetrahedra as f64,
@@ -78,17 +76,16 @@ impl Against {
     }
 }
 
-fn chart(title: String, group: &[&Point<'_>], looks: &Looks, against: Against) -> Result<Chart> {
-    let series = series(group, looks, against);
+fn chart(what: &str, title: String, group: &[&Point<'_>], looks: &Looks, against: Against) -> Result<Chart> {
+    let series = fewer(series(group, looks, against));
     let all = || series.iter().flat_map(|s| s.points.iter());
     let x = LogScale::new(all().map(|p| p.0[0]), [LEFT, RIGHT]);
     let y = LogScale::new(all().map(|p| p.0[1]), [BOTTOM, TOP]);
     let at = |[a, b]: [f64; 2]| [x.at(a), y.at(b)];
     let spots: Vec<Spot> = all().map(|(p, point)| Spot { at: at(*p), text: speed::told(point) }).collect();
     let entries = series.iter().map(|s| (Sign::Whole(s.mark), s.text.clone())).collect();
-    let legend = Legend { entries, columns: 1 };
-    let place = group[0].group.host + 1;
-    let name = format!("{}-{title}-{place}", against.name()).replace('×', "x");
+    let legend = Legend(vec![entries]);
+    let name = format!("{}-{what}", against.name()).replace(" · ", "-").replace(", ", "-").replace('×', "x");
     let draw = |canvas: &Canvas<'_>, theme: &Theme| -> Drawn {
         Frame {
             sides: [LEFT, TOP, RIGHT, BOTTOM],
@@ -126,6 +123,23 @@ fn series<'a>(group: &[&'a Point<'a>], looks: &Looks, against: Against) -> Vec<S
         Series { mark: looks.of(by), line: medians(&values), points, text }
     };
     sorted.chunk_by(|a, b| (a.by, a.adapter) == (b.by, b.adapter)).map(of).collect()
+}
+
+/// Of each method the contender with the smallest error, where there are too many.
+fn fewer(mut series: Vec<Series<'_>>) -> Vec<Series<'_>> {
+    if series.len() <= MOST {
+        return series;
+    }
+    let method = |s: &Series<'_>| words::method(s.points[0].1.by);
+    let error = |s: &Series<'_>| s.points.iter().map(|(_, p)| p.error.rmse).fold(0.0, f64::max);
+    let least = |s: &Series<'_>| {
+        let others = series.iter().filter(|other| method(other) == method(s));
+        others.min_by(|a, b| error(a).total_cmp(&error(b))).is_some_and(|best| std::ptr::eq(best, s))
+    };
+    let kept: Vec<bool> = series.iter().map(least).collect();
+    let mut kept = kept.into_iter();
+    series.retain(|_| kept.next().unwrap_or(false));
+    series
 }
 
 /// One point a place along x.

@@ -16,11 +16,11 @@ pub(super) struct Theme {
     /// Of less important text and lines.
     pub faint: RGBColor,
     pub grid: RGBColor,
-    /// Told apart by colour-blind eyes as well as can be: they differ in lightness too.
+    /// Tests hold them apart for colour-blind eyes too.
     pub series: [RGBColor; 8],
 }
 
-/// On white paper; after Okabe and Ito, darkened.
+/// On white paper. Found by climbing from hues that have names to what eyes of four kinds tell apart.
 pub(super) const LIGHT: Theme = Theme {
     name: "light",
     paper: RGBColor(0xFF, 0xFF, 0xFF),
@@ -28,18 +28,18 @@ pub(super) const LIGHT: Theme = Theme {
     faint: RGBColor(0x5B, 0x65, 0x70),
     grid: RGBColor(0xE3, 0xE6, 0xEA),
     series: [
-        RGBColor(0x00, 0x5F, 0xA8),
-        RGBColor(0xD5, 0x5E, 0x00),
-        RGBColor(0x00, 0x8F, 0x68),
-        RGBColor(0xB4, 0x4F, 0x97),
-        RGBColor(0x2B, 0x91, 0xCB),
-        RGBColor(0x6E, 0x15, 0x3A),
-        RGBColor(0xA5, 0x83, 0x00),
-        RGBColor(0x6A, 0x70, 0x78),
+        RGBColor(0x1E, 0x42, 0xD4),
+        RGBColor(0xE0, 0x76, 0x0A),
+        RGBColor(0x0A, 0x86, 0x73),
+        RGBColor(0xC3, 0x5C, 0xC0),
+        RGBColor(0x11, 0x92, 0xFD),
+        RGBColor(0x5D, 0x08, 0x1E),
+        RGBColor(0xA9, 0x4C, 0x0A),
+        RGBColor(0x4E, 0x54, 0x5C),
     ],
 };
 
-/// The same on dark paper, lightened.
+/// The same on dark paper, hue by hue where that goes.
 pub(super) const DARK: Theme = Theme {
     name: "dark",
     paper: RGBColor(0x16, 0x1B, 0x22),
@@ -47,14 +47,14 @@ pub(super) const DARK: Theme = Theme {
     faint: RGBColor(0x9B, 0xA5, 0xB1),
     grid: RGBColor(0x2D, 0x34, 0x3D),
     series: [
-        RGBColor(0x3F, 0x8E, 0xE0),
-        RGBColor(0xFF, 0x8B, 0x3D),
-        RGBColor(0x1F, 0xC7, 0x9A),
-        RGBColor(0xE0, 0x8A, 0xC8),
-        RGBColor(0x8F, 0xD3, 0xFF),
-        RGBColor(0xD2, 0x4A, 0x74),
-        RGBColor(0xF3, 0xD2, 0x4B),
-        RGBColor(0x8D, 0x94, 0x9D),
+        RGBColor(0x4E, 0x68, 0xE2),
+        RGBColor(0xE9, 0x7A, 0x03),
+        RGBColor(0x27, 0xD7, 0xA2),
+        RGBColor(0xD1, 0x8B, 0xFF),
+        RGBColor(0xBC, 0xF1, 0xFF),
+        RGBColor(0xD2, 0x00, 0x2D),
+        RGBColor(0xEF, 0xE6, 0x2E),
+        RGBColor(0x88, 0x8F, 0x98),
     ],
 };
 
@@ -200,6 +200,55 @@ mod tests {
             }
             for text in [theme.ink, theme.faint] {
                 assert!(contrast(text, theme.paper) >= 4.5, "{text:?} on {}", theme.name);
+            }
+        }
+    }
+
+    type Matrix = [[f32; 3]; 3];
+
+    /// What protanopes, deuteranopes and tritanopes see of linear light (Machado et al. 2009, severity 1).
+    const EYES: [Matrix; 4] = [
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        [[0.152_286, 1.052_583, -0.204_868], [0.114_503, 0.786_281, 0.099_216], [-0.003_882, -0.048_116, 1.051_998]],
+        [[0.367_322, 0.860_646, -0.227_968], [0.280_085, 0.672_501, 0.047_413], [-0.011_82, 0.042_94, 0.968_881]],
+        [[1.255_528, -0.076_749, -0.178_779], [-0.078_411, 0.930_809, 0.147_602], [0.004_733, 0.691_367, 0.303_9]],
+    ];
+
+    fn times(matrix: &Matrix, v: [f32; 3]) -> [f32; 3] {
+        std::array::from_fn(|i| (0..3).map(|k| matrix[i][k] * v[k]).sum())
+    }
+
+    /// In Oklab, where black and white are 1 apart.
+    fn distance(eye: &Matrix, a: RGBColor, b: RGBColor) -> f32 {
+        let lab = |RGBColor(r, g, b): RGBColor| {
+            let light = [r, g, b].map(|v| linear_from_srgb(f32::from(v) / 255.0));
+            let lms = [
+                [0.412_221_46, 0.536_332_55, 0.051_445_995],
+                [0.211_903_5, 0.680_699_5, 0.107_396_96],
+                [0.088_302_46, 0.281_718_85, 0.629_978_7],
+            ];
+            let lab = [
+                [0.210_454_26, 0.793_617_8, -0.004_072_047],
+                [1.977_998_5, -2.428_592_2, 0.450_593_7],
+                [0.025_904_037, 0.782_771_77, -0.808_675_77],
+            ];
+            times(&lab, times(&lms, times(eye, light).map(|v| v.clamp(0.0, 1.0))).map(f32::cbrt))
+        };
+        let (a, b) = (lab(a), lab(b));
+        (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f32>().sqrt()
+    }
+
+    #[test]
+    fn eyes_of_all_kinds_tell_colors_apart() {
+        let [red, green] = [RGBColor(0xC0, 0x50, 0x30), RGBColor(0x7C, 0x76, 0x20)];
+        assert!(distance(&EYES[0], red, green) > 0.12 && distance(&EYES[2], red, green) < 0.06, "the measure sees");
+        for Theme { series, name, .. } in [LIGHT, DARK] {
+            for (i, a) in series.iter().enumerate() {
+                for b in &series[i + 1..] {
+                    let least = EYES.iter().map(|eye| distance(eye, *a, *b)).fold(f32::INFINITY, f32::min);
+                    // The closest pair of the light theme measures 0.090, that of the dark one 0.116.
+                    assert!(least > 0.085, "{a:?} and {b:?} on {name} are {least} apart");
+                }
             }
         }
     }

@@ -36,15 +36,23 @@ function show(hit) {
 
 for (const svg of document.querySelectorAll(".chart svg")) {
   const hits = [...svg.querySelectorAll(".hit")];
+  hits.sort((a, b) => a.cx.baseVal.value - b.cx.baseVal.value || a.cy.baseVal.value - b.cy.baseVal.value);
   for (const hit of hits) {
     const title = hit.querySelector("title");
     hit.setAttribute("aria-label", title.textContent);
     hit.setAttribute("role", "img");
-    hit.setAttribute("tabindex", "0");
+    // One stop a chart for the tabulator key; arrows go on from there, left to right.
+    hit.setAttribute("tabindex", hit === hits[0] ? "0" : "-1");
     // Otherwise browsers show it too.
     title.remove();
     hit.addEventListener("focus", () => show(hit));
     hit.addEventListener("blur", () => show(null));
+    hit.addEventListener("keydown", (event) => {
+      const step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
+      const next = step && hits[hits.indexOf(hit) + step];
+      if (step) event.preventDefault();
+      if (next) next.focus();
+    });
   }
   const nearest = (event) => {
     let found = null;
@@ -63,7 +71,8 @@ for (const svg of document.querySelectorAll(".chart svg")) {
   svg.addEventListener("pointerleave", (event) => { if (event.pointerType === "mouse") show(null); });
 }
 addEventListener("keydown", (event) => { if (event.key === "Escape") show(null); });
-addEventListener("scroll", () => { if (near && near !== document.activeElement) show(null); }, true);
+addEventListener("pointerdown", (event) => { if (!event.target.closest(".chart svg")) show(null); });
+addEventListener("scroll", () => { if (near) show(near === document.activeElement ? near : null); }, true);
 
 // Tables sort by the head that is clicked on; again, the other way round.
 const key = (row, column) => {

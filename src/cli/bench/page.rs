@@ -80,9 +80,9 @@ fn summary(records: &[&Record], points: &Points<'_>) -> String {
     let scenes = count(records.iter().map(|r| format!("{}\n{}", r.subject.mesh, r.subject.scene)).collect());
     let methods = count(records.iter().map(|r| words::method(&r.by)).collect());
     format!(
-        "{drawn} runs and {} refusals: {methods} methods, {meshes} meshes, {scenes} scenes, {} machines. Times are of \
+        "{drawn} runs and {} refusals: {methods} methods, {meshes} meshes, {scenes} scenes, {} machines; their times never share a chart. Times are of \
          warm frames, medians; errors are against references in 64-bit floating point, linear, opacity included. Point \
-         at a mark, touch it or step to it by the tabulator key to see what it stands for.",
+         at a mark, touch it or step to it by the tabulator and arrow keys to see what it stands for.",
         records.len() - drawn,
         points.hosts.len()
     )

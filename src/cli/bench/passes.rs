@@ -50,12 +50,13 @@ fn chart(points: &Points<'_>, group: &[Point<'_>], names: &[&str]) -> Result<Cha
     for c in (0..=COLORS).filter(|c| used(*c)) {
         entries.push((Sign::Box(c), names.get(c).map_or("other passes".into(), |n| (*n).to_owned())));
     }
-    let legend = Legend { entries, columns: 3 };
+    let rows = entries.len().div_ceil(3).max(1);
+    let legend = Legend(entries.chunks(rows).map(<[_]>::to_vec).collect());
     let subject = group[0].subject;
     let [width, height] = subject.size;
     let host = group[0].group.host;
     let title = format!("{} · {}, {}{}", subject.mesh, subject.scene, words::size(subject), points.host_note(host));
-    let name = format!("passes-{}-{}-{width}x{height}-{}", subject.mesh, subject.scene, host + 1);
+    let name = format!("passes-{}-{}-{width}x{height}", subject.mesh, subject.scene);
     let bottom = TOP + BAR * bars.len() as f64;
     let spots: Vec<Spot> = bars.iter().enumerate().flat_map(|(row, point)| spots(point, row)).collect();
     Chart::new(words::file_name(&name), title, bottom + legend.height() + 16.0, &spots, |canvas, theme| {

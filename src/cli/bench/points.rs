@@ -88,7 +88,11 @@ impl<'a> Points<'a> {
 
     /// What tells the host in titles, where there are several.
     pub fn host_note(&self, host: usize) -> String {
-        if self.hosts.len() < 2 { String::new() } else { format!(", machine {}", host + 1) }
+        if self.hosts.len() < 2 {
+            String::new()
+        } else {
+            format!(", on {} × {}", self.hosts[host].1, self.hosts[host].0)
+        }
     }
 }
 

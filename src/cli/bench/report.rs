@@ -88,7 +88,8 @@ fn sections(points: &Points<'_>) -> Result<Vec<Section>> {
             id: "cells",
             title: "Time against tetrahedra",
             text: "Of meshes under one scene at one size. The exponent p of time ~ tetrahedra^p is a least-squares fit \
-                   of the logarithms, with its standard error.",
+                   of the logarithms, with its standard error. Of more than a dozen contenders, the one of each method with \
+                   the smallest error is drawn.",
             charts: tetrahedra,
             left_out: few_tetrahedra,
         },

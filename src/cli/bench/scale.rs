@@ -29,6 +29,14 @@ impl LogScale {
         Self { ends: [low - room, high + room], pixels }
     }
 
+    /// The same with this many pixels more before the smallest value.
+    #[must_use]
+    pub fn with_room_before(mut self, pixels: f64) -> Self {
+        let share = pixels / (self.pixels[1] - self.pixels[0]);
+        self.ends[0] -= (self.ends[1] - self.ends[0]) * share / (1.0 - share);
+        self
+    }
+
     pub fn at(&self, value: f64) -> f64 {
         let share = (value.log10() - self.ends[0]) / (self.ends[1] - self.ends[0]);
         self.pixels[0] + share * (self.pixels[1] - self.pixels[0])
@@ -104,5 +112,7 @@ mod tests {
     fn values_are_within_the_frame() {
         let scale = LogScale::new([2.0, 30.0].into_iter(), [300.0, 0.0]);
         assert!(scale.at(2.0) < 300.0 && scale.at(30.0) > 0.0 && scale.at(2.0) > scale.at(30.0));
+        let scale = LogScale::new([2.0, 30.0].into_iter(), [0.0, 300.0]).with_room_before(100.0);
+        assert!(scale.at(2.0) > 100.0 && scale.at(30.0) < 300.0, "{scale:?}");
     }
 }

@@ -16,6 +16,8 @@ const TOP: f64 = 66.0;
 const BOTTOM: f64 = 400.0;
 /// Of the line of pictures that equal the reference, which a logarithm has no place for.
 const ZERO: f64 = BOTTOM - 14.0;
+/// For labels: nothing but them lies before the front.
+const ROOM: f64 = 110.0;
 /// The smallest label.
 const SMALL: f64 = 11.5;
 
@@ -31,8 +33,7 @@ fn chart(points: &Points<'_>, group: &[Point<'_>], looks: &Looks) -> Result<Char
     let note = points.host_note(group[0].group.host);
     let title = format!("{} · {}, {}{note}", subject.mesh, subject.scene, words::size(subject));
     let [width, height] = subject.size;
-    let place = group[0].group.host + 1;
-    let name = format!("speed-{}-{}-{width}x{height}-{place}", subject.mesh, subject.scene);
+    let name = format!("speed-{}-{}-{width}x{height}", subject.mesh, subject.scene);
     let spots: Vec<Spot> = group.iter().zip(&plot.at).map(|(point, at)| Spot { at: *at, text: told(point) }).collect();
     let top = BOTTOM + 50.0;
     Chart::new(words::file_name(&name), title, top + legend.height() + 8.0, &spots, |canvas, theme| {
@@ -76,7 +77,7 @@ impl Plot {
     fn new(group: &[Point<'_>]) -> Self {
         let values: Vec<[f64; 2]> = group.iter().map(|p| [1e3 * p.seconds.median, p.error.rmse]).collect();
         let has_zero = values.iter().any(|v| v[1] <= 0.0);
-        let x = LogScale::new(values.iter().map(|v| v[0]), [LEFT, RIGHT]);
+        let x = LogScale::new(values.iter().map(|v| v[0]), [LEFT, RIGHT]).with_room_before(ROOM);
         let y = LogScale::new(values.iter().map(|v| v[1]), [if has_zero { ZERO - 22.0 } else { BOTTOM }, TOP]);
         let at = values.iter().map(|v| [x.at(v[0]), if v[1] > 0.0 { y.at(v[1]) } else { ZERO }]).collect();
         Self { has_zero, at, front: front(&values), x, y }
@@ -129,9 +130,9 @@ impl Plot {
                 None => group[i].by.integral.clone(),
             };
             let width = width_of(&text, SMALL);
-            let below = [([x - 10.0, y + 8.0], HPos::Right), ([x - 10.0, y - 9.0], HPos::Right)];
-            let above = [([x + 10.0, y - 9.0], HPos::Left), ([x + 10.0, y + 10.0], HPos::Left)];
-            for ([x, y], anchor) in below.into_iter().chain(above) {
+            let before = [8.0, 2.0, 14.0, -5.0].map(|dy| ([x - 10.0, y + dy], HPos::Right));
+            let after = [-9.0, 10.0].map(|dy| ([x + 10.0, y + dy], HPos::Left));
+            for ([x, y], anchor) in before.into_iter().chain(after) {
                 let left = if matches!(anchor, HPos::Right) { x - width } else { x };
                 let place = [left, y - 7.0, left + width, y + 7.0];
                 let inside = place[0] > LEFT && place[2] < RIGHT && place[1] > TOP && place[3] < BOTTOM;
@@ -150,16 +151,18 @@ fn overlap(a: &[f64; 4], b: &[f64; 4]) -> bool {
     a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]
 }
 
-/// Methods, then integrals, then the front.
+/// Methods, and beside them integrals and the front.
 fn legend(group: &[Point<'_>], looks: &Looks) -> Legend {
-    let mut entries: Vec<(Sign, String)> = Vec::new();
-    let mut add = |sign: Sign, text: String| {
-        if !entries.iter().any(|(_, known)| *known == text) {
-            entries.push((sign, text));
+    let mut columns: [Vec<(Sign, String)>; 2] = [Vec::new(), Vec::new()];
+    for point in group {
+        let mark = looks.of(point.by);
+        let texts = [words::method(point.by), words::integral(point.by).to_owned()];
+        for ((column, sign), text) in columns.iter_mut().zip([Sign::Color(mark), Sign::Shape(mark)]).zip(texts) {
+            if !column.iter().any(|(_, known)| *known == text) {
+                column.push((sign, text));
+            }
         }
-    };
-    group.iter().for_each(|p| add(Sign::Color(looks.of(p.by)), words::method(p.by)));
-    group.iter().for_each(|p| add(Sign::Shape(looks.of(p.by)), words::integral(p.by).to_owned()));
-    add(Sign::Line, "not beaten in both".into());
-    Legend { entries, columns: 2 }
+    }
+    columns[1].push((Sign::Line, "not beaten in both".into()));
+    Legend(columns.into())
 }

@@ -142,8 +142,14 @@ fn table(id: &str, label: &str, heads: &[&str], rows: impl Iterator<Item = Vec<C
     let mut html = format!(
         "<div class=\"scroll\" role=\"region\" aria-label=\"{label}\" tabindex=\"0\"><table id=\"{id}\"><thead><tr>"
     );
-    for head in heads {
-        html += &format!("<th scope=\"col\" aria-sort=\"none\"><button type=\"button\">{}</button></th>", escape(head));
+    let rows: Vec<Vec<Cell>> = rows.collect();
+    for (i, head) in heads.iter().enumerate() {
+        let is_number = rows.first().is_some_and(|row| matches!(row[i], Number(..)));
+        let class = if is_number { " class=\"number\"" } else { "" };
+        html += &format!(
+            "<th scope=\"col\"{class} aria-sort=\"none\"><button type=\"button\">{}</button></th>",
+            escape(head)
+        );
     }
     html += "</tr></thead>\n<tbody>\n";
     for row in rows {
