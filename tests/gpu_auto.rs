@@ -19,8 +19,7 @@ fn tolerances_hold() {
         assert!(error <= TOLERANCE, "{}, rays: {integral} errs by {error:.1e}", scene.name);
         // In an exact order: the integral's share of the error.
         if scene.name.starts_with("hydrogen") {
-            let mut lists =
-                renderer(&scene.mesh, Settings { order: OrderMethod::PerPixel, ..Settings::default() });
+            let mut lists = renderer(&scene.mesh, Settings { order: OrderMethod::PerPixel, ..Settings::default() });
             let (integral, error) = chosen(scene, &mut lists, Engine::Device, TOLERANCE);
             println!("{}, lists: {integral} errs by {error:.1e}", scene.name);
             assert!(error <= TOLERANCE, "{}, lists: {integral} errs by {error:.1e}", scene.name);

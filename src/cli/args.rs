@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use serde::{Deserialize, Serialize};
 
-use super::bench::args::BenchCommand;
+use super::bench::BenchCommand;
 use super::parse;
 use crate::mesh::synth::Sample;
 use crate::renderer::{self, SegmentIntegral};

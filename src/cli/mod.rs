@@ -1,4 +1,4 @@
-//! The command line: `args` (what was typed), `job` (what to do), then one file a command.
+//! The command line: `args` (what was typed), `job` (what to do), then one file or folder a command.
 //!
 //! Results go to stdout or to the named file, everything else to stderr. Exit codes: 0 done, 1 failed, 2 asked wrongly.
 

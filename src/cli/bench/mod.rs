@@ -1,18 +1,30 @@
-//! `tetralux bench`: time and error, measured and charted (docs/bench.md).
+//! `tetralux bench`: time and error, measured and charted, and a guard against what becomes worse (docs/bench.md).
 
-pub(super) mod args;
+mod args;
+mod chart;
+mod diff;
+mod growth;
 mod machine;
+mod marks;
+mod page;
+mod passes;
 mod peers;
 mod plan;
+mod points;
 mod report;
 mod run;
+mod scale;
+mod speed;
+mod strips;
 mod subject;
+mod table;
+mod words;
 
 use std::path::Path;
 
-use args::BenchCommand;
+pub(super) use args::BenchCommand;
 
-/// Plans that come with the source, by name.
+/// Plans that come with the source.
 const PLANS: &str = "bench";
 
 pub(super) fn run(command: &BenchCommand) -> anyhow::Result<()> {
@@ -22,5 +34,7 @@ pub(super) fn run(command: &BenchCommand) -> anyhow::Result<()> {
         BenchCommand::Full(args) => run::run(&shipped("full.toml"), args),
         BenchCommand::Gpu(args) => run::run(&shipped("gpu.toml"), args),
         BenchCommand::Run { plan, args } => run::run(plan, args),
+        BenchCommand::Report(args) => report::run(args),
+        BenchCommand::Diff(args) => diff::run(args),
     }
 }

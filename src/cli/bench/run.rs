@@ -7,10 +7,10 @@ use std::time::{Duration, Instant};
 
 use indicatif::ProgressBar;
 
-use super::args::RunArgs;
+use super::args::{ReportArgs, RunArgs};
 use super::machine::{this_machine, used};
 use super::plan::{Choice, Plan, Shot, shot};
-use super::report::picture_name;
+use super::strips::picture_name;
 use super::{peers, subject};
 use crate::cli::args::{ChoiceArgs, Device, IntegralChoice, name_of};
 use crate::cli::device::{self, Wish};
@@ -39,8 +39,8 @@ pub(super) fn run(path: &Path, args: &RunArgs) -> anyhow::Result<()> {
     if let Some(peers) = &args.for_peers {
         output::note(&format!("subjects for other programs in {}", peers.display()));
     }
-    super::report::write(&[run.file.path.clone()], args.peers.as_deref(), &run.folder)?;
-    Ok(())
+    let (records, peers) = (vec![run.file.path], args.peers.clone());
+    super::report::run(&ReportArgs { records, peers, output: run.folder })
 }
 
 /// Records that are there, and where new ones go.
