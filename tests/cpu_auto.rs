@@ -34,12 +34,12 @@ fn tolerances_hold() {
 #[test]
 fn the_cheapest_alone_would_not_do() {
     let settings = Settings { integral: SegmentIntegral::MeanScalar, ..Settings::default() };
-    let wrong = scenes().into_iter().filter(|scene| {
+    let wrong = scenes().into_iter().filter(|scene: &Scene| {
         let optics = tetralux::scene::Optics::PLAIN;
-        let Scene { camera, transfer, .. } = &scene;
+        let Scene { camera, transfer, .. } = scene;
         let frame =
             tetralux::renderer::Frame { camera, transfer, optics: &optics, size: [64, 48], background: [0.0; 4] };
-        let got = tetralux::renderer::Renderer::render(&mut renderer(&scene, settings), &frame, false);
+        let got = tetralux::renderer::Renderer::render(&mut renderer(scene, settings), &frame, false);
         let want = tetralux::oracle::Oracle::new(scene.mesh.clone()).image(&frame).expect("the truth");
         let error = tetralux::image::Comparison::new(&got.expect("a picture").image, &want).expect("sizes").max;
         error > TOLERANCE
