@@ -1,6 +1,6 @@
 //! The device: which adapter, and its buffers.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use crate::error::{Error, Result};
 use crate::gpu::kernel::Made;
@@ -36,6 +36,13 @@ pub struct Gpu {
     pub(super) made: Arc<Mutex<Made>>,
 }
 
+/// The process's one way to its drivers. NVIDIA's finds no adapter any more after it was loaded and unloaded some thirty
+/// times (580.159).
+fn instance() -> &'static wgpu::Instance {
+    static INSTANCE: OnceLock<wgpu::Instance> = OnceLock::new();
+    INSTANCE.get_or_init(|| wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env()))
+}
+
 impl Gpu {
     /// Opens the best adapter of the choice.
     ///
@@ -50,8 +57,7 @@ impl Gpu {
     /// # Errors
     /// As [`Gpu::new`].
     pub fn with_binding_limit(choice: DeviceChoice, limit: u64) -> Result<Self> {
-        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
-        let mut adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::PRIMARY));
+        let mut adapters = pollster::block_on(instance().enumerate_adapters(wgpu::Backends::PRIMARY));
         adapters.retain(|a| match choice {
             DeviceChoice::Any => true,
             DeviceChoice::Software => is_software(&a.get_info()),

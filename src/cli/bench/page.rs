@@ -77,7 +77,7 @@ fn summary(records: &[&Record], points: &Points<'_>) -> String {
     };
     let drawn = records.iter().filter(|r| r.result.is_some()).count();
     let meshes = count(records.iter().map(|r| r.subject.mesh.clone()).collect());
-    let scenes = count(records.iter().map(|r| format!("{}\n{}", r.subject.mesh, r.subject.scene)).collect());
+    let scenes = count(records.iter().map(|r| r.subject.scene.clone()).collect());
     let methods = count(records.iter().map(|r| words::method(&r.by)).collect());
     format!(
         "{drawn} runs and {} refusals: {methods} methods, {meshes} meshes, {scenes} scenes, {} machines; their times never share a chart. Times are of \

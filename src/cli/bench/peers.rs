@@ -12,7 +12,7 @@ use crate::image::Image;
 use crate::mesh::write::write_vtu;
 use crate::mesh::{Association, DataArray, Mesh, Topology};
 use crate::report::record::Subject;
-use crate::scene::{Projection, TransferFunction};
+use crate::scene::{Optics, Projection, TransferFunction};
 use crate::tet::{Domain as _, TetMesh};
 
 #[derive(Serialize)]
@@ -22,7 +22,8 @@ struct Exported<'a> {
     mesh: String,
     array: &'a str,
     camera: ExportedCamera,
-    /// Scalar, linear RGB, extinction per data length; linear between rows, constant beyond. `None`: of two variables.
+    /// Scalar, linear RGB, extinction per data length; linear between rows, constant beyond. `None`: of two variables, lit,
+    /// or with silhouettes.
     points: Option<Vec<[f64; 5]>>,
     background: [f64; 4],
     truth: &'a str,
@@ -64,11 +65,11 @@ pub(super) fn write(folder: &Path, subject: &Subject, mesh: &TetMesh, shot: &Sho
         near: shot.camera.near_depth(mesh.bounds_in_data().diagonal()),
     };
     let points = match &shot.transfer {
-        TransferFunction::Curve(curve) => {
+        TransferFunction::Curve(curve) if shot.optics == Optics::PLAIN => {
             let row = |n: &crate::scene::CurveNode| [n.scalar, n.color[0], n.color[1], n.color[2], n.extinction];
             Some(curve.nodes.iter().map(row).collect())
         }
-        TransferFunction::Widgets(_) => None,
+        _ => None,
     };
     let exported = Exported {
         subject,
