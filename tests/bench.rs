@@ -68,8 +68,7 @@ fn name(path: &Path) -> &str {
 #[test]
 fn a_plan_is_measured_and_gone_on_with() {
     let folder = tempfile::tempdir().expect("a folder");
-    let (plan, out, peers) =
-        (folder.path().join("small.toml"), folder.path().join("out"), folder.path().join("peers"));
+    let (plan, out, peers) = (folder.path().join("small.toml"), folder.path().join("out"), folder.path().join("peers"));
     std::fs::write(&plan, PLAN).expect("written");
     let run = || bench(&["run", name(&plan), "-o", name(&out), "--for-peers", name(&peers)]);
     let (code, text) = run();
@@ -85,7 +84,10 @@ fn a_plan_is_measured_and_gone_on_with() {
         let exact = record.by.integral == "adaptive:0.001";
         assert!(measured.error.rmse < if exact { 1e-4 } else { 0.1 }, "{record:?}");
         let picture = out.join("pictures").join(&record.subject.hash);
-        assert_eq!(std::fs::read_dir(&picture).expect("pictures").count(), if measured_by_four(record) { 4 } else { 3 });
+        assert_eq!(
+            std::fs::read_dir(&picture).expect("pictures").count(),
+            if measured_by_four(record) { 4 } else { 3 }
+        );
         assert!(out.join("truth").join(format!("{}.exr", record.subject.hash)).exists());
     }
     assert!(out.join("report.html").exists());
@@ -181,13 +183,8 @@ fn planted_faults_are_caught() {
     let (eye, projection) = (center + diagonal * DVec3::new(0.8, 0.6, 0.5), Projection::Perspective { fov_y: 0.7 });
     let camera = Camera { eye, target: center, up: DVec3::Z, projection, near: None };
     let (right, wrong) = (curve(1.0), curve(1.01));
-    let frame = |transfer| Frame {
-        camera: &camera,
-        transfer,
-        optics: &Optics::PLAIN,
-        size: [48, 40],
-        background: [0.0; 4],
-    };
+    let frame =
+        |transfer| Frame { camera: &camera, transfer, optics: &Optics::PLAIN, size: [48, 40], background: [0.0; 4] };
     let oracle = Oracle::new(mesh.clone());
     let want = oracle.image(&frame(&right)).expect("the truth");
     let cast = |mesh: &Arc<TetMesh>, transfer| {

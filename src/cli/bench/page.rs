@@ -80,11 +80,14 @@ fn summary(records: &[&Record], points: &Points<'_>) -> String {
     let scenes = count(records.iter().map(|r| r.subject.scene.clone()).collect());
     let methods = count(records.iter().map(|r| words::method(&r.by)).collect());
     format!(
-        "{drawn} runs and {} refusals: {methods} methods, {meshes} meshes, {scenes} scenes, {} machines; their times never share a chart. Times are of \
-         warm frames, medians; errors are against references in 64-bit floating point, linear, opacity included. Point \
+        "{drawn} runs and {} refusals: {methods} methods, {meshes} meshes, {scenes} scenes, and {} to run on; the times of \
+         several never share a chart. Times are of warm frames, medians; errors are against references in 64-bit floating point, linear, opacity included. Point \
          at a mark, touch it or step to it by the tabulator and arrow keys to see what it stands for.",
         records.len() - drawn,
-        points.hosts.len()
+        match points.hosts.len() {
+            1 => "one machine".into(),
+            count => format!("{count} machines"),
+        }
     )
 }
 
