@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use serde::Serialize;
 
+use super::bench::BenchCommand;
 use super::parse;
 use crate::mesh::synth::Sample;
 use crate::renderer::{self, SegmentIntegral};
@@ -32,6 +33,9 @@ pub(super) enum Command {
     Histogram(HistogramArgs),
     /// Make the tables that the shaders look up, or compare them with what is there
     Tables(TablesArgs),
+    /// Measure the program itself
+    #[command(subcommand)]
+    Bench(BenchCommand),
 }
 
 /// Which mesh, and how to read it.

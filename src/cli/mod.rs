@@ -3,6 +3,7 @@
 //! Results go to stdout or to the named file, everything else to stderr. Exit codes: 0 done, 1 failed, 2 asked wrongly.
 
 mod args;
+mod bench;
 mod compare;
 mod device;
 mod histogram;
@@ -54,5 +55,6 @@ fn run(command: &args::Command) -> anyhow::Result<()> {
         args::Command::Compare(args) => compare::run(args),
         args::Command::Histogram(args) => histogram::run(args),
         args::Command::Tables(args) => tables::run(args),
+        args::Command::Bench(command) => bench::run(command),
     }
 }
