@@ -20,7 +20,7 @@
 //! | [`oracle`] | the integral in f64 by quadrature: the truth |
 //! | [`cpu`] | ray casting from cell to cell in f32 on all cores, for machines without a graphics processor |
 //! | [`gpu`] | projection and ray casting on wgpu: the only module that knows of it; its passes are the files of `shaders/` |
-//! | [`report`] | what runs are worth: [`report::record`], [`report::diff`]; [`report::segments`] holds an integral against the truth |
+//! | [`report`] | what runs are worth: [`report::record`], [`report::diff`]; [`report::segments`] holds an integral against the truth, [`report::stability`] every method in scenes where they go wrong |
 //! | `cli` | the command line (feature `cli`): arguments, jobs, one file a command |
 //!
 //! # From a file to a picture

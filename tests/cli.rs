@@ -300,3 +300,17 @@ fn an_interrupt_leaves_nothing_in_parts() {
     }
     assert!(interrupted > 2, "{interrupted} of 10 runs were interrupted");
 }
+
+#[test]
+fn stability_is_charted() {
+    let folder = tempfile::tempdir().unwrap();
+    let arguments = ["bench", "stability", "--device", "cpu", "-o", "out/s"];
+    let table = succeed(folder.path(), &[&arguments[..], &["cycle", "parallel"]].concat());
+    assert!(table.contains("| cycle | cpu | pass |") && table.lines().count() == 4, "{table}");
+    let out = folder.path().join("out/s");
+    assert_eq!(names(&out), ["cycle.svg", "parallel.svg", "stability.jsonl"].map(|name| out.join(name)));
+    let rows = std::fs::read_to_string(out.join("stability.jsonl")).unwrap();
+    let rows: Vec<Value> = rows.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert!(rows.len() == 11 && rows.iter().all(|row| row["verdict"] == "pass"), "{rows:?}");
+    fail(folder.path(), &[&arguments[..], &["circle"]].concat(), 2, &["no case 'circle'", "cycle"]);
+}

@@ -81,6 +81,14 @@ const LEAST_AREA: f32 = 1e-18;
 // pixel: beyond the ends of needles rounding has the last word on whether the tent is positive.
 override LONGEST_HAIR: f32;
 const SHORT_HAIR: f32 = 0.25;
+// At a face seen edge-on, a cell is at once as thick as it is, and its tent rises from 0 to more than 1 within what pixels
+// are rounded by. A pixel there, and meshes of regular places have many, would have a tent of 0, or of what rounding makes
+// of it, for the cells of both sides: black. So a tent that changes by more than STEEP when it is evaluated aside, to the
+// right and a little up, by eight times that rounding, is evaluated there. (To the right, then up, is also what the oracle
+// decides by.)
+const STEEP: f32 = 0.1;
+const MOVE: f32 = 9.5e-7; // of the picture's size
+const MOVE_UP: f32 = 0.318;
 
 // Volume of the eye and a face (perspective), or the face's area seen along the view (orthographic), times 6 or 2.
 // The two cells at a face pass its vertices in the same order and get the same bits.
@@ -266,9 +274,12 @@ fn put_triangle(at: u32, seen: SeenCell, is_back: bool, a: Corner, b: Corner, c:
     let begin = pixels * (a.clip + vec2f(1.0, -1.0));
     let depth = slope(of_b, of_c, b.plane.x - a.plane.x, c.plane.x - a.plane.x);
     let scalar = slope(of_b, of_c, b.plane.y - a.plane.y, c.plane.y - a.plane.y);
-    let tent = select(a.tent, vec3f(0.0), is_flat);
     let tent_b = b.tent - a.tent;
     let tent_c = c.tent - a.tent;
+    let tent_x = of_b.x * tent_b + of_c.x * tent_c;
+    let tent_y = of_b.y * tent_b + of_c.y * tent_c;
+    let moved = MOVE * max(frame.image_width, frame.image_height) * (tent_x - MOVE_UP * tent_y);
+    let tent = select(a.tent + select(vec3f(0.0), moved, abs(moved) > vec3f(STEEP)), vec3f(0.0), is_flat);
     let apex = seen.apex;
     corners[at + 2u] = begin.x;
     corners[at + 3u] = begin.y;
@@ -280,9 +291,9 @@ fn put_triangle(at: u32, seen: SeenCell, is_back: bool, a: Corner, b: Corner, c:
     corners[at + 9u] = scalar.x;
     corners[at + 10u] = scalar.y;
     corners[at + 11u] = tent.y;
-    put_vector(at + 12u, of_b.x * tent_b + of_c.x * tent_c);
+    put_vector(at + 12u, tent_x);
     corners[at + 15u] = tent.z;
-    put_vector(at + 16u, of_b.y * tent_b + of_c.y * tent_c);
+    put_vector(at + 16u, tent_y);
     corners[at + 19u] = select(-apex.thickness, apex.thickness, is_back);
     corners[at + 20u] = select(apex.scalar_change, -apex.scalar_change, is_back);
     if BIVARIATE {

@@ -22,6 +22,10 @@ pub const MOST_DEPTH_RATIO: f64 = 4.0;
 /// to 5e-8 of the mesh, 5e-4 of the depth at the default near plane.
 const MARGIN: f64 = 1e-3;
 
+/// A perspective picture begins at this share of the mesh's diagonal at least: 1/z has to end somewhere. What lies nearer
+/// is less than f32 tells apart.
+const LEAST_NEAR: f64 = 1e-9;
+
 /// What replaces a view's cells that cannot be drawn as they are.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NearCut {
@@ -123,11 +127,13 @@ impl View {
                 [[half * aspect, 0.0], [half, 0.0]]
             }
         };
+        let perspective = matches!(camera.projection, Projection::Perspective { .. });
+        let near = camera.near_depth(diagonal_in_mesh * mesh.data_per_mesh) / mesh.data_per_mesh;
         Self {
             eye: mesh.mesh_from_data(camera.eye),
             basis: camera.basis(),
-            near: camera.near_depth(diagonal_in_mesh * mesh.data_per_mesh) / mesh.data_per_mesh,
-            perspective: matches!(camera.projection, Projection::Perspective { .. }),
+            near: if perspective { near.max(LEAST_NEAR * diagonal_in_mesh) } else { near },
+            perspective,
             half,
         }
     }
@@ -148,7 +154,7 @@ impl View {
     /// The near plane's depth, and those that may cut long cells: as many as a word has bits, which reach over all
     /// exponents of an f32.
     fn planes(&self, max: f64) -> Vec<f64> {
-        let count = if self.perspective && self.near > 0.0 { u64::BITS } else { 1 };
+        let count = if self.perspective { u64::BITS } else { 1 };
         let depths = (0..count).map(|k| self.near * MOST_DEPTH_RATIO.powi(k as i32));
         depths.enumerate().take_while(|&(k, depth)| k == 0 || depth < max).map(|(_, depth)| depth).collect()
     }

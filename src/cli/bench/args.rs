@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 
+use super::stability::StabilityArgs;
+
 /// What to do with runs and their records.
 #[derive(Debug, Subcommand)]
 pub(in crate::cli) enum BenchCommand {
@@ -24,6 +26,8 @@ pub(in crate::cli) enum BenchCommand {
     Report(ReportArgs),
     /// Tell what became worse from one list of records to another; fail (exit code 1) where something did
     Diff(DiffArgs),
+    /// Draw scenes in which renderers go wrong, and hold every method to the truth (docs/stability.md)
+    Stability(StabilityArgs),
 }
 
 #[derive(Debug, Args)]

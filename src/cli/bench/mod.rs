@@ -15,6 +15,7 @@ mod report;
 mod run;
 mod scale;
 mod speed;
+mod stability;
 mod strips;
 mod subject;
 mod table;
@@ -36,5 +37,6 @@ pub(super) fn run(command: &BenchCommand) -> anyhow::Result<()> {
         BenchCommand::Run { plan, args } => run::run(plan, args),
         BenchCommand::Report(args) => report::run(args),
         BenchCommand::Diff(args) => diff::run(args),
+        BenchCommand::Stability(args) => stability::run(args),
     }
 }
