@@ -13,7 +13,7 @@ use crate::scene::{Camera, Optics, TransferFunction};
 
 pub use integral::SegmentIntegral;
 pub use order::{OrderChoice, OrderMethod};
-pub use probe::{ChosenIntegral, Engine, LEAST_TOLERANCE, TOLERANCE, choose_integral};
+pub use probe::{ChosenIntegral, LEAST_TOLERANCE, TOLERANCE, choose_integral};
 
 /// How cells meet pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

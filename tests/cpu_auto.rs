@@ -6,7 +6,7 @@ mod common;
 
 use common::held_out::{Scene, chosen, scenes};
 use tetralux::cpu::CpuRenderer;
-use tetralux::renderer::{Engine, SegmentIntegral, Settings, TOLERANCE};
+use tetralux::renderer::{SegmentIntegral, Settings, TOLERANCE};
 
 /// Half of what 8 bits tell apart; and what a preview may err by.
 const TOLERANCES: [f64; 2] = [TOLERANCE, 0.02];
@@ -21,7 +21,7 @@ fn tolerances_hold() {
     for scene in scenes() {
         let mut renderer = renderer(&scene, Settings::default());
         for tolerance in TOLERANCES {
-            let (integral, error) = chosen(&scene, &mut renderer, Engine::Host, tolerance);
+            let (integral, error) = chosen(&scene, &mut renderer, tolerance);
             println!("{}, {tolerance:.1e}: {integral} errs by {error:.1e}", scene.name);
             assert!(error <= tolerance, "{}: {integral} errs by {error:.1e}, not {tolerance:.1e}", scene.name);
             kinds.insert(integral);

@@ -10,7 +10,7 @@ use crate::cpu::{self, CpuRenderer};
 use crate::error::{Error, Result};
 use crate::gpu::{DeviceChoice, Gpu, GpuRenderer, GridCaster, GridRenderer, RayCaster};
 use crate::oracle::Oracle;
-use crate::renderer::{BlendFormat, Engine, Method, OrderMethod, Renderer, Settings};
+use crate::renderer::{BlendFormat, Method, OrderMethod, Renderer, Settings};
 use crate::scene::{Optics, TransferFunction};
 use crate::space::Bounds;
 use crate::tet::{Grid, TetMesh};
@@ -19,8 +19,8 @@ use crate::tet::{Grid, TetMesh};
 pub(super) struct Chosen {
     pub renderer: Box<dyn Renderer>,
     pub note: Option<String>,
-    /// `None`: the reference.
-    pub engine: Option<Engine>,
+    /// The reference integrates in its own way.
+    pub is_reference: bool,
 }
 
 /// What decides.
@@ -34,44 +34,42 @@ pub(super) struct Wish<'a> {
 /// The renderer of one's wish. `bar` follows pictures of renderers that know how far they are.
 pub(super) fn renderer(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<Chosen> {
     let settings = wish.settings;
-    let on = |choice| Ok((on_gpu(Gpu::new(choice)?, mesh, settings)?, Some(Engine::Device)));
-    let (renderer, engine) = match wish.device {
-        Device::Oracle => (reference(mesh, bar), None),
-        Device::Cpu => (cast(mesh, settings)?, Some(Engine::Host)),
-        Device::Gpu => on(DeviceChoice::Any)?,
-        Device::Software => on(DeviceChoice::Software)?,
+    let renderer = match wish.device {
+        Device::Oracle => reference(mesh, bar),
+        Device::Cpu => cast(mesh, settings)?,
+        Device::Gpu => on_gpu(Gpu::new(DeviceChoice::Any)?, mesh, settings)?,
+        Device::Software => on_gpu(Gpu::new(DeviceChoice::Software)?, mesh, settings)?,
         Device::Auto => return automatic(mesh, wish, bar),
     };
     let casts = matches!(wish.device, Device::Cpu | Device::Oracle) || settings.method == Method::RayCast;
     let note = (casts && settings.order != OrderMethod::Auto)
         .then(|| "rays have no order of cells: --order is not used".into());
-    Ok(Chosen { renderer, note, engine })
+    Ok(Chosen { renderer, note, is_reference: wish.device == Device::Oracle })
 }
 
 /// Hardware first; then the CPU engine if it can render the scene; then a software adapter, and the reference at last.
 fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<Chosen> {
     let settings = wish.settings;
-    let chosen =
-        |renderer, engine, note: &str| Ok(Chosen { renderer, engine, note: (!note.is_empty()).then(|| note.into()) });
-    let host = Some(Engine::Host);
+    let chosen = |renderer, note: &str| {
+        Ok(Chosen { renderer, note: (!note.is_empty()).then(|| note.into()), is_reference: false })
+    };
     let castable = matches!(settings.method, Method::Auto | Method::RayCast)
         && cpu::supports(wish.transfer, wish.optics, settings.integral).is_ok();
     match Gpu::new(DeviceChoice::Any) {
         Ok(gpu) if gpu.is_software() && castable => chosen(
             cast(mesh, settings)?,
-            host,
             &format!(
                 "'{}' is a software adapter: the CPU engine, whose visibility is exact, is taken instead",
                 gpu.info.name
             ),
         ),
-        Ok(gpu) => chosen(on_gpu(gpu, mesh, settings)?, Some(Engine::Device), ""),
+        Ok(gpu) => chosen(on_gpu(gpu, mesh, settings)?, ""),
         Err(Error::Device(why)) if castable => {
-            chosen(cast(mesh, settings)?, host, &format!("{why}; rays are cast on the CPU instead"))
+            chosen(cast(mesh, settings)?, &format!("{why}; rays are cast on the CPU instead"))
         }
         Err(Error::Device(why)) => {
             let note = format!("{why}; rendered on the CPU with the f64 reference instead, which is slow");
-            chosen(reference(mesh, bar), None, &note)
+            Ok(Chosen { is_reference: true, ..chosen(reference(mesh, bar), &note)? })
         }
         Err(other) => Err(other),
     }
@@ -127,7 +125,7 @@ pub(super) fn grid_renderer(grid: &Arc<Grid>, wish: &Wish<'_>, clip: Option<[f64
         Box::new(if let Some(bounds) = bounds { renderer.clipped_to(&bounds)? } else { renderer })
     };
     let note = "a voxel of the grid stands for five tetrahedra, none of which is held; --split 6 makes a mesh";
-    Ok(Chosen { renderer, note: is_auto.then(|| note.into()), engine: Some(Engine::Device) })
+    Ok(Chosen { renderer, note: is_auto.then(|| note.into()), is_reference: false })
 }
 
 fn cast(mesh: &Arc<TetMesh>, settings: Settings) -> Result<Box<dyn Renderer>> {

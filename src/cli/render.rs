@@ -55,15 +55,15 @@ fn draw(
     let start = Instant::now();
     let settings = args.choices.settings();
     let wish = Wish { device: args.device, settings, transfer: &transfer, optics: &job.scene.optics };
-    let Chosen { mut renderer, note, engine } = progress::step("preparing", || make(&wish, &bar))?;
+    let Chosen { mut renderer, note, is_reference } = progress::step("preparing", || make(&wish, &bar))?;
     let prepare = start.elapsed();
     let background = job.scene.premultiplied_background();
     let frame =
         Frame { camera: &camera, transfer: &transfer, optics: &job.scene.optics, size: job.scene.size, background };
     let timed = args.explain || args.stats.is_some();
-    let integral = match (args.choices.integral, engine) {
-        (IntegralChoice::Auto, Some(engine)) => {
-            let choose = || choose_integral(&mut *renderer, engine, &frame, args.choices.tolerance);
+    let integral = match args.choices.integral {
+        IntegralChoice::Auto if !is_reference => {
+            let choose = || choose_integral(&mut *renderer, &frame, args.choices.tolerance);
             Some(progress::step("choosing", choose)?)
         }
         _ => None,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
-use tetralux::renderer::{Engine, Frame, Renderer, choose_integral};
+use tetralux::renderer::{Frame, Renderer, choose_integral};
 use tetralux::scene::{Camera, Optics, Projection, TransferFunction, Widget, WidgetShape};
 use tetralux::tet::TetMesh;
 
@@ -68,10 +68,10 @@ pub fn scenes() -> Vec<Scene> {
 }
 
 /// What is chosen for a tolerance, and by how much the picture errs.
-pub fn chosen(scene: &Scene, renderer: &mut dyn Renderer, engine: Engine, tolerance: f64) -> (String, f64) {
+pub fn chosen(scene: &Scene, renderer: &mut dyn Renderer, tolerance: f64) -> (String, f64) {
     let Scene { mesh, transfer, camera, .. } = scene;
     let frame = Frame { camera, transfer, optics: &Optics::PLAIN, size: SIZE, background: [0.0; 4] };
-    let choice = choose_integral(renderer, engine, &frame, tolerance).expect("a choice");
+    let choice = choose_integral(renderer, &frame, tolerance).expect("a choice");
     let got = renderer.render(&frame, false).expect("a picture").image;
     let want = Oracle::new(mesh.clone()).image(&frame).expect("the truth");
     assert!(want.pixels.iter().filter(|p| p[3] > 0.02).count() > 200, "{}: nothing is seen", scene.name);

@@ -17,7 +17,7 @@ use crate::cli::device::{self, Wish};
 use crate::cli::output;
 use crate::error::{Error, Result};
 use crate::image::{Comparison, Image, PngEncoding};
-use crate::renderer::{Engine, Frame, PassTime, Renderer, TOLERANCE, choose_integral};
+use crate::renderer::{Frame, PassTime, Renderer, TOLERANCE, choose_integral};
 use crate::report::record::{Contender, Deviation, Machine, Measured, Pass, Record, Spread, Subject};
 use crate::tet::{Domain as _, TetMesh};
 
@@ -240,7 +240,7 @@ fn label(by: &Contender) -> String {
 /// A renderer, and what making it took.
 struct Ready {
     renderer: Box<dyn Renderer>,
-    engine: Option<Engine>,
+    is_reference: bool,
     made: Duration,
 }
 
@@ -251,7 +251,7 @@ fn make(mesh: &Arc<TetMesh>, choice: Choice, scenery: &Scenery) -> Result<Ready>
     let start = Instant::now();
     let chosen = device::renderer(mesh, &wish, &ProgressBar::hidden())?;
     let made = start.elapsed();
-    Ok(Ready { renderer: chosen.renderer, engine: chosen.engine, made })
+    Ok(Ready { renderer: chosen.renderer, is_reference: chosen.is_reference, made })
 }
 
 impl Ready {
@@ -265,8 +265,8 @@ impl Ready {
     ) -> Result<(Measured, Image)> {
         let renderer = &mut *self.renderer;
         let start = Instant::now();
-        let integral = match (choice.integral, self.engine) {
-            (IntegralChoice::Auto, Some(engine)) => Some(choose_integral(renderer, engine, frame, TOLERANCE)?),
+        let integral = match choice.integral {
+            IntegralChoice::Auto if !self.is_reference => Some(choose_integral(renderer, frame, TOLERANCE)?),
             _ => None,
         };
         let first = renderer.render(frame, false)?;
