@@ -189,7 +189,8 @@ impl Run<'_> {
             let measured = made.and_then(|mut made| {
                 let frame = subject::frame(&scenery.shot, scenery.subject.size);
                 let measured = made.measure(choice, &frame, self.plan.repeats, &scenery.truth)?;
-                ready = Some(made);
+                // Software adapters keep what they drew with until the device goes.
+                ready = (choice.device != Device::Software).then_some(made);
                 Ok(measured)
             });
             let (result, refused) = match measured {
