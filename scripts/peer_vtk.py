@@ -263,8 +263,8 @@ def look_around() -> Here:
     use_floats(window)
     render(window)
     floats = bool(np.abs(pixels_of(window)[..., :3] - grey).max() < 1e-4)
-    kind = window.GetClassName().removeprefix("vtk").removesuffix("RenderWindow").replace("OSOpenGL", "OSMesa")
-    device = f"{kind} {name}" + ("" if floats else ", 8-bit picture")
+    # Charts have room for a name; the machine's adapter is told in full.
+    device = name.split(" (")[0] + ("" if floats else ", 8-bit picture")
     return Here(device, f"{name}, OpenGL {version}", floats)
 
 
