@@ -31,9 +31,9 @@ fn volumes_agree() {
         for (function, transfer) in [("1D", rainbow(&mesh, 6, 3.0)), ("2D", bivariate(&grid))] {
             for (view, camera) in [("around", &around), ("within", &within)] {
                 let drawn = |renderer: &mut dyn Renderer| draw(renderer, camera, &transfer, [256, 256]).image;
-                // Measured: 5e-5, as lists take bands one after another; none, or 1.5e-6 from within; 1.7e-5, in thin bands.
+                // Measured: 3.5e-6; none, or 1.5e-6 from within; 1.7e-5, in thin bands.
                 let pairs = [
-                    ("lists", drawn(&mut implied), drawn(&mut held), 1e-4),
+                    ("lists", drawn(&mut implied), drawn(&mut held), MOST),
                     ("an exact order", drawn(&mut implied), drawn(&mut in_order), MOST),
                     ("rays", drawn(&mut rays), drawn(&mut held_rays), 2.0 * MOST),
                 ];
@@ -42,19 +42,20 @@ fn volumes_agree() {
                     println!("{name}, {function}, {view}, {what}: {:.1} dB, worst {:.1e}", c.psnr, c.max);
                     assert!(c.max <= *most, "{name}, {function}, {view}, {what}: {c}");
                 }
-                // What rays through either are away from the truth is what keeps them apart.
+                // What keeps rays apart is f32 in the explicit mesh: in thin bands it is 1.7e-5 from the truth where the grid
+                // is 1.2e-5 from it. Of several colours the integral's tolerance is the most of either.
                 let frame = Frame {
                     camera,
                     transfer: &transfer,
                     optics: &Optics::PLAIN,
                     size: [256, 256],
-                    background: [0.0; 4],
+                    background: [0.1, 0.2, 0.3, 1.0],
                 };
                 let truth = Oracle::new(mesh.clone()).image(&frame).expect("the truth");
                 for (what, got) in [("the grid", &pairs[2].1), ("its mesh", &pairs[2].2)] {
                     let c = Comparison::new(got, &truth).expect("equal sizes");
                     println!("{name}, {function}, {view}, rays through {what}: {:.1} dB, worst {:.1e}", c.psnr, c.max);
-                    assert!(c.psnr >= 100.0, "{name}, {function}, {view}, rays through {what}: {c}");
+                    assert!(c.psnr >= 90.0, "{name}, {function}, {view}, rays through {what}: {c}");
                 }
             }
         }
