@@ -19,14 +19,17 @@ pub enum Entrant {
     Rays(SegmentIntegral),
     /// Projected cells.
     Project(OrderMethod),
+    /// Front faces of cells, in the order that `auto` takes.
+    CellCast,
 }
 
 impl Entrant {
     /// Of a device.
-    pub const ON_DEVICE: [Self; 3] = [
+    pub const ON_DEVICE: [Self; 4] = [
         Self::Rays(SegmentIntegral::Adaptive { tolerance: SegmentIntegral::TOLERANCE }),
         Self::Project(OrderMethod::Auto),
         Self::Project(OrderMethod::Centroid),
+        Self::CellCast,
     ];
 
     /// Of the host: by the default integral and by the others named.
@@ -59,6 +62,10 @@ impl Entrant {
                 let settings = Settings { method: Method::Project, order, ..Settings::default() };
                 GpuRenderer::new(device()?, mesh, settings)?.render(&frame, false)
             }
+            Self::CellCast => {
+                let settings = Settings { method: Method::CellCast, ..Settings::default() };
+                GpuRenderer::new(device()?, mesh, settings)?.render(&frame, false)
+            }
         };
         Ok(rendered?.image)
     }
@@ -71,6 +78,7 @@ impl fmt::Display for Entrant {
             Self::Rays(integral) => ("rays", *integral),
             Self::Project(OrderMethod::Auto) => return f.write_str("project"),
             Self::Project(order) => return write!(f, "project {order}"),
+            Self::CellCast => return f.write_str("cellcast"),
         };
         if integral == SegmentIntegral::default() { f.write_str(place) } else { write!(f, "{place} {integral}") }
     }

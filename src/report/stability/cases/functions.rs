@@ -20,7 +20,7 @@ const LINEAR: &str = "the function counts as linear between its special points, 
 const TABLE: &str = "a table's 128 nodes over all scalars are wider than the feature";
 const TOLERANCE: &str = "each cell's colours may err by the tolerance, 1e-3, and a ray adds up a dozen";
 const NODES: &str = "nodes are f32 of the mesh's range, and so is their distance";
-const EXACT: &[&str] = &["cpu", "rays", "project"];
+const EXACT: &[&str] = &["cpu", "rays", "project", "cellcast"];
 
 const fn misses(entrants: &'static [&'static str], values: [f64; 2]) -> Known {
     Known { entrants, values, expected: Expected::Misses, why: SAMPLED }

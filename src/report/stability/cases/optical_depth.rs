@@ -16,7 +16,7 @@ const EVEN: &str = "colours of a cell are mixed evenly, whichever is in front";
 const LINEAR: &str = "the function counts as linear between its special points, of which a Gaussian has few";
 const SAMPLED: &str = "the function is known at a few points of a segment";
 const HOST: &[&str] = &["cpu", "cpu analytic", "cpu partial:256", "cpu mean-scalar"];
-const DEVICE: &[&str] = &["rays", "project", "project centroid"];
+const DEVICE: &[&str] = &["rays", "project", "project centroid", "cellcast"];
 
 pub const CASES: &[Case] = &[
     Case {

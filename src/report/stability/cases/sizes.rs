@@ -15,7 +15,12 @@ pub const CASES: &[Case] = &[
         values: &[0.1, 0.3, 1.0, 3.0, 10.0],
         make: small_cells,
         integrals: &[],
-        known: &[degrades(&["project", "project centroid"], [1.0, 3.0], 61.0, 0.04, SNAPPED)],
+        known: &[
+            degrades(&["project", "project centroid"], [1.0, 3.0], 61.0, 0.04, SNAPPED),
+            degrades(&["cellcast"], [1.0, 1.0], 67.0, 0.02, SNAPPED),
+            degrades(&["cellcast"], [3.0, 3.0], 54.0, 0.07, SNAPPED),
+            degrades(&["cellcast"], [10.0, 10.0], 40.0, 0.2, SNAPPED),
+        ],
     },
     Case {
         name: "one-cell",
@@ -31,9 +36,11 @@ pub const CASES: &[Case] = &[
         values: &[10.0, 100.0, 1000.0, 5000.0],
         make: layers,
         integrals: &[],
-        known: &[by_centroids(57.0, 0.01)],
+        known: &[by_centroids(57.0, 0.01), degrades(&["cellcast"], [1e3, 5e3], 80.0, 3e-3, ROUNDED)],
     },
 ];
+
+const ROUNDED: &str = "tents of a thousand cells are rounded, each by itself";
 
 /// Of a slab of [`small_cells`], along each side.
 const SLAB: usize = 96;
