@@ -36,7 +36,7 @@ pub struct Gpu {
     pub(super) made: Arc<Mutex<Made>>,
 }
 
-/// The process's one way to its drivers. NVIDIA's finds no adapter any more after it was loaded and unloaded some thirty
+/// The process's one way to its drivers. NVIDIA's found no adapter any more after it was loaded and unloaded some thirty
 /// times (580.159).
 fn instance() -> &'static wgpu::Instance {
     static INSTANCE: OnceLock<wgpu::Instance> = OnceLock::new();
