@@ -22,34 +22,32 @@ pub(super) fn machines<'a>(records: &[&'a Record]) -> Vec<&'a Machine> {
     machines
 }
 
+/// Heads of what [`whom`] tells.
+const WHOM: [&str; 10] =
+    ["mesh", "scene", "view", "size", "tetrahedra", "program", "device", "method", "integral", "order"];
+
 /// Every run that was drawn.
 pub(super) fn runs(records: &[&Record]) -> String {
     let machines = machines(records);
     let heads = [
-        "mesh",
-        "scene",
-        "view",
-        "size",
-        "tetrahedra",
-        "program",
-        "device",
-        "method",
-        "integral",
-        "order",
-        "ms",
-        "min",
-        "max",
-        "frames",
-        "RMSE",
-        "PSNR, dB",
-        "max error",
-        "99.9 %",
-        "above 1/255",
-        "drawn",
-        "device memory",
-        "peak memory",
-        "machine",
-    ];
+        &WHOM[..],
+        &[
+            "ms",
+            "min",
+            "max",
+            "frames",
+            "RMSE",
+            "PSNR, dB",
+            "max error",
+            "99.9 %",
+            "above 1/255",
+            "drawn",
+            "device memory",
+            "peak memory",
+            "machine",
+        ],
+    ]
+    .concat();
     let row = |record: &&Record| Some(run(record, record.result.as_ref()?, &machines));
     table("runs", "All runs", &heads, records.iter().filter_map(row))
 }
@@ -77,20 +75,7 @@ fn run(record: &Record, measured: &Measured, machines: &[&Machine]) -> Vec<Cell>
 /// What was not drawn, and why.
 pub(super) fn refused(records: &[&Record]) -> String {
     let machines = machines(records);
-    let heads = [
-        "mesh",
-        "scene",
-        "view",
-        "size",
-        "tetrahedra",
-        "program",
-        "device",
-        "method",
-        "integral",
-        "order",
-        "why",
-        "machine",
-    ];
+    let heads = [&WHOM[..], &["why", "machine"]].concat();
     let row = |record: &&Record| {
         let mut cells = whom(record);
         cells.push(Text(record.refused.clone()?));
