@@ -155,7 +155,7 @@ fn see(line: Line, way: ptr<function, Way>, exit: f32) {
     var magnitudes: array<f32, 8>;
     for (var corner = 0u; corner < 8u; corner++) {
         let at = sample_at(voxel + corner_step(corner ^ mirror));
-        values[corner] = samples[at];
+        values[corner] = scalar_at(at);
         if BIVARIATE {
             magnitudes[corner] = gradients[at];
         }

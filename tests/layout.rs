@@ -65,7 +65,7 @@ fn hosts() -> Vec<Host> {
             first_row,
             goes_on,
             eye,
-            pad,
+            units,
         }),
         host!(Light { direction, ambient, diffuse, specular, shininess, strength, exponent, pad_a, pad_b, pad_c }),
         host!(Range { first_tet, tet_count, pad_a, pad_b }),

@@ -23,11 +23,16 @@ struct Grid {
 }
 
 @group(1) @binding(0) var<uniform> grid: Grid;
-@group(1) @binding(1) var<storage, read> samples: array<f32>; // 0..1
+@group(1) @binding(1) var<storage, read> samples: array<u32>; // see `scalar_at`
 @group(1) @binding(2) var<storage, read> gradients: array<f32>; // 0..1
 @group(1) @binding(3) var<storage, read> places: array<f32>; // of the samples along x, y and z
 // Of the batch, in the order of drawing: x | y << 10 | z << 20.
 @group(1) @binding(4) var<storage, read> bricks: array<u32>;
+// What samples take, where that is little.
+@group(1) @binding(6) var<storage, read> levels: array<f32>;
+
+// Of a sample: 32 are its value, 8 or 16 its number among the levels.
+override SAMPLE_BITS: u32 = 32u;
 
 // Tetrahedra of even and odd voxels, four that are cut off and the middle: corners in ascending order, 3 bits each;
 // whether that turns the tetrahedron over; the corner that is cut off.
@@ -57,6 +62,15 @@ fn sample_at(at: vec3u) -> u32 {
     return at.x + grid.points.x * (at.y + grid.points.y * at.z);
 }
 
+// 0..1.
+fn scalar_at(sample: u32) -> f32 {
+    if SAMPLE_BITS == 32u {
+        return bitcast<f32>(samples[sample]);
+    }
+    let bit = sample % (32u / SAMPLE_BITS) * SAMPLE_BITS;
+    return levels[(samples[sample / (32u / SAMPLE_BITS)] >> bit) & (0xffffffffu >> (32u - SAMPLE_BITS))];
+}
+
 fn place_at(at: vec3u) -> vec3f {
     return vec3f(places[at.x], places[grid.points.x + at.y], places[grid.points.x + grid.points.y + at.z]);
 }
@@ -75,5 +89,5 @@ fn is_in(voxel: vec3u, low: vec3u, high: vec3u) -> bool {
 
 // Place and scalar.
 fn vertex_at(at: vec3u) -> vec4f {
-    return vec4f(place_at(at), samples[sample_at(at)]);
+    return vec4f(place_at(at), scalar_at(sample_at(at)));
 }

@@ -31,7 +31,7 @@ fn may_show(voxel: vec3u) -> bool {
     var high = vec2f(-1e30);
     for (var corner = 0u; corner < 8u; corner++) {
         let at = sample_at(voxel + corner_step(corner));
-        var value = vec2f(samples[at], 0.0);
+        var value = vec2f(scalar_at(at), 0.0);
         if BIVARIATE {
             value.y = gradients[at];
         }
@@ -43,10 +43,10 @@ fn may_show(voxel: vec3u) -> bool {
 
 // The bands of a tetrahedron.
 fn tet_bands(voxel: vec3u, corners: vec4u, depth: f32) -> u32 {
-    let scalars = vec4f(samples[sample_at(voxel + corner_step(corners.x))],
-                        samples[sample_at(voxel + corner_step(corners.y))],
-                        samples[sample_at(voxel + corner_step(corners.z))],
-                        samples[sample_at(voxel + corner_step(corners.w))]);
+    let scalars = vec4f(scalar_at(sample_at(voxel + corner_step(corners.x))),
+                        scalar_at(sample_at(voxel + corner_step(corners.y))),
+                        scalar_at(sample_at(voxel + corner_step(corners.z))),
+                        scalar_at(sample_at(voxel + corner_step(corners.w))));
     let reached = scalar_range(scalars);
     return bands_between(reached.x, reached.y, depth > THIN);
 }

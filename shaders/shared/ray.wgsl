@@ -26,7 +26,8 @@ struct Rays {
     goes_on: u32,
     // The eye's depth, from that of the mesh's centre; far behind for parallel rays.
     eye: f32,
-    pad: u32,
+    // Across rays, in a mesh unit; a power of two.
+    units: f32,
 }
 
 @group(0) @binding(2) var<uniform> rays: Rays;
@@ -58,14 +59,15 @@ fn ray_through(pixel: vec2u) -> Ray {
                unit.y * (rays.up - film.y * rays.forward), unit.y * start.y, film, sqrt(1.0 + dot(film, film)));
 }
 
-// Across the ray, in 2^-23 mesh units: whole numbers that f32 holds. A vertex is at one place for all of its cells, so this
+// Across the ray, in units: whole numbers that f32 holds. A vertex is at one place for all of its cells, so this
 // must be the same arithmetic wherever it stands: so that compilers do not choose here and there what to fuse, all of it is
-// fused (drivers keep to that, though no standard says that they have to). The mesh lies within 1 of the origin, so
-// what is farther than 2 from a ray that meets it is on no cell that the ray meets, and may be anywhere there.
+// fused (drivers keep to that, though no standard says that they have to). No edge is longer than 2^24 units, so a vertex
+// that lies farther along either axis is on no cell that the ray meets: the others of its cells lie on its side of the
+// ray, and so it may be moved along that axis, up to there.
 fn place_across(ray: Ray, p: vec3f) -> vec2f {
     let x = fma(p.z, ray.x_row.z, fma(p.y, ray.x_row.y, fma(p.x, ray.x_row.x, ray.x_offset)));
     let y = fma(p.z, ray.y_row.z, fma(p.y, ray.y_row.y, fma(p.x, ray.y_row.x, ray.y_offset)));
-    return clamp(round(8388608.0 * vec2f(x, y)), vec2f(-16777216.0), vec2f(16777216.0));
+    return clamp(round(rays.units * vec2f(x, y)), vec2f(-16777216.0), vec2f(16777216.0));
 }
 
 // View depth from that of the mesh's centre.
@@ -74,7 +76,7 @@ fn depth_of(p: vec3f) -> f32 {
 }
 
 // Twice the areas of three triangles of the ray and an edge from a to b, places across the ray: positive where that turns
-// left. Of the sign that exact arithmetic gives, and exact but for 2^-24 of cells within 2^-8 of the ray.
+// left. Of the sign that exact arithmetic gives, and exact but for 2^-24 of cells within 2^15 units of the ray.
 //
 // a x b is below 2^49, and f32 errs by less than 2^26 of its two products: a difference beyond 2^30 has the right sign.
 // A lesser one is below 2^31, so that the 32-bit product, which is right but for multiples of 2^32, is the exact value.

@@ -3,6 +3,7 @@
 
 mod cast;
 mod draw;
+mod levels;
 mod samples;
 mod scene;
 mod store;
@@ -153,7 +154,7 @@ impl GridRenderer {
             self.grid.data_per_mesh,
         )?;
         if transfer.bivariate {
-            self.store.samples.need_gradients(&self.gpu, &self.grid);
+            self.store.samples.need_gradients(&self.gpu, &self.grid)?;
         }
         // It holds the samples that were needed before.
         self.near = None;

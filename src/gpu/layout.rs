@@ -49,7 +49,7 @@ pub struct Rays {
     pub first_row: u32,
     pub goes_on: u32,
     pub eye: f32,
-    pub pad: u32,
+    pub units: f32,
 }
 
 /// `shared/light.wgsl`.

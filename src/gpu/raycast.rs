@@ -42,6 +42,8 @@ pub struct RayCaster {
     linked: LinkedMesh,
     settings: Settings,
     store: LinkedBuffers,
+    /// Across rays, in a mesh unit.
+    units: f32,
     runner: RayRunner,
     light: wgpu::Buffer,
     entries: wgpu::Buffer,
@@ -107,6 +109,7 @@ impl RayCaster {
         let linked = LinkedMesh::new(&mesh);
         let store = LinkedBuffers::new(&gpu, &linked, settings.layout)?;
         gpu.wait()?;
+        let units = rays::units_across(linked.longest_edge());
         let light = gpu.uniform("light", &[layout::Light::default()]);
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
         let [entries, tallies, overlapping] = [(); 3].map(|()| gpu.buffer("rays", 0, usage));
@@ -118,6 +121,7 @@ impl RayCaster {
             linked,
             settings,
             store,
+            units,
             runner,
             light,
             entries,
@@ -150,6 +154,7 @@ impl RayCaster {
         self.linked.replace(&self.mesh, &mesh)?;
         if mesh.vertices != self.mesh.vertices {
             self.store.put_places(&self.gpu, &self.linked);
+            self.units = rays::units_across(self.linked.longest_edge());
         }
         self.store.put_field(&self.gpu, &self.linked, &mesh);
         self.mesh = mesh;
@@ -214,7 +219,7 @@ impl RayCaster {
         let work = format!("{} boundary faces", self.linked.boundary.faces.len());
         let mut passes = vec![PassTime { pass: "host: bin".to_owned(), work, time: start.elapsed() }];
         let least = self.settings.least_transmittance;
-        let mut uniform = rays::uniform(&lens, frame.size, groups, least, frame.background);
+        let mut uniform = rays::uniform(&lens, frame.size, groups, self.units, least, frame.background);
         let light = light::uniform(frame.optics, &frame.camera.basis());
         self.gpu.queue.write_buffer(&self.light, 0, bytemuck::bytes_of(&light));
         let pixels = u64::from(frame.size[0]) * u64::from(frame.size[1]);

@@ -129,6 +129,16 @@ impl LinkedMesh {
         self.boundary.place(&self.vertices);
     }
 
+    /// Of all cells, mesh units.
+    pub fn longest_edge(&self) -> f64 {
+        let of_cell = |cell: &Cell| {
+            let corners = cell.vertices.map(|v| self.vertices[v as usize].truncate().as_dvec3());
+            let edge = |[i, j]: [usize; 2]| corners[i].distance_squared(corners[j]);
+            [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]].map(edge).into_iter().fold(0.0, f64::max)
+        };
+        self.cells.par_iter().map(of_cell).reduce(|| 0.0, f64::max).sqrt()
+    }
+
     /// What lies across the faces of each cell.
     pub fn crossings(&self) -> &[Crossing] {
         self.crossings.get_or_init(|| Crossing::of(&self.cells))

@@ -113,6 +113,28 @@ fn pictures_agree_in_parallel_projection() {
     });
 }
 
+/// Samples that take few values are held in 8 or 16 bits, gradients in 32.
+#[test]
+fn pictures_of_few_values_agree() {
+    for (steps, bytes) in [(40.0, 1), (200.0, 2), (f64::INFINITY, 4)] {
+        let value = |p: DVec3| if steps < f64::INFINITY { (steps * waves(p)).round() / 7.0 } else { waves(p) };
+        let mesh = lattice([15, 14, 17], DVec3::new(0.4, -1.0, 0.2), DVec3::splat(0.2), value);
+        agrees_of(&format!("{bytes} B"), &mesh, Share::All, |grid| octants(grid, PERSPECTIVE)[..2].to_vec());
+        let (grid, _) = both(&mesh);
+        for (transfer, bytes) in [(univariate(&grid), bytes), (bivariate(&grid), bytes + 4)] {
+            let camera = octants(&grid, PERSPECTIVE)[0];
+            let stats = draw(&mut caster(&grid, STRUCTURED), &camera, &transfer, SIZE).stats;
+            let sum = |of: &[&str]| -> u64 {
+                stats.buffers.iter().filter(|b| of.contains(&b.name.as_str())).map(|b| b.bytes).sum()
+            };
+            let held = sum(&["samples", "gradients"]).div_ceil(16) as usize;
+            // Of what is not needed, 16 bytes.
+            let most = (grid.scalar.len() * bytes).div_ceil(16) + 2;
+            assert!(held <= most && held + 4 > most, "{held} of {most}");
+        }
+    }
+}
+
 /// Planes at uneven distances, along one axis falling.
 #[test]
 fn pictures_of_uneven_grids_agree() {

@@ -31,19 +31,19 @@ fn volumes_agree() {
         for (function, transfer) in [("1D", rainbow(&mesh, 6, 3.0)), ("2D", bivariate(&grid))] {
             for (view, camera) in [("around", &around), ("within", &within)] {
                 let drawn = |renderer: &mut dyn Renderer| draw(renderer, camera, &transfer, [256, 256]).image;
-                // Measured: 3.5e-6; none, or 1.5e-6 from within; 1.7e-5, in thin bands.
+                // Measured: 3.5e-6; none, or 1.5e-6 from within; 9.5e-6, in thin bands.
                 let pairs = [
                     ("lists", drawn(&mut implied), drawn(&mut held), MOST),
                     ("an exact order", drawn(&mut implied), drawn(&mut in_order), MOST),
-                    ("rays", drawn(&mut rays), drawn(&mut held_rays), 2.0 * MOST),
+                    ("rays", drawn(&mut rays), drawn(&mut held_rays), MOST),
                 ];
                 for (what, got, want, most) in &pairs {
                     let c = Comparison::new(got, want).expect("equal sizes");
                     println!("{name}, {function}, {view}, {what}: {:.1} dB, worst {:.1e}", c.psnr, c.max);
                     assert!(c.max <= *most, "{name}, {function}, {view}, {what}: {c}");
                 }
-                // What keeps rays apart is f32 in the explicit mesh: in thin bands it is 1.7e-5 from the truth where the grid
-                // is 1.2e-5 from it. Of several colours the integral's tolerance is the most of either.
+                // In thin bands, rays through either are up to 1.2e-5 from the truth. Of several colours the integral's
+                // tolerance is the most of either.
                 let frame = Frame {
                     camera,
                     transfer: &transfer,

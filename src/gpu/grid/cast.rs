@@ -107,10 +107,11 @@ impl GridCaster {
         let (scalar, gradient, unit) = (samples.scalar, samples.gradient, self.grid.data_per_mesh);
         let transfer = TransferBuffers::new(&self.gpu, frame.transfer, integral, emission, scalar, gradient, unit)?;
         if transfer.bivariate {
-            self.samples.need_gradients(&self.gpu, &self.grid);
+            self.samples.need_gradients(&self.gpu, &self.grid)?;
         }
         let flag = |b: bool| f64::from(u8::from(b));
         let mut constants = transfer.constants.clone();
+        constants.push(self.samples.constant());
         // What is transparent glows, too, where emission is not weighted by extinction.
         constants.push(("CULL", flag(self.settings.cull && emission == EmissionModel::Weighted)));
         constants.push(("PERSPECTIVE", flag(perspective)));
@@ -147,7 +148,7 @@ impl GridCaster {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let target = self.target.as_ref().ok_or_else(unprepared)?;
         let resources = self.resources(scene).with_texture("picture", &target.picture);
-        let mut uniform = rays::uniform(&lens, frame.size, 0, self.settings.least_transmittance, frame.background);
+        let mut uniform = rays::uniform(&lens, frame.size, 0, 0.0, self.settings.least_transmittance, frame.background);
         let mut passes = Vec::new();
         let to = &mut Timed { timed, passes: &mut passes };
         self.runner.run(&self.gpu, &scene.cast, &resources, &mut uniform, [0, tiles[1]], to)?;

@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use crate::error::{Error, Result};
 use crate::gpu::device::Gpu;
+use crate::gpu::grid::levels::Levels;
 use crate::gpu::kernel::Resources;
 use crate::gpu::layout;
 use crate::plan::voxels::BRICK;
@@ -22,7 +23,9 @@ pub struct GridSamples {
     pub bricks_along: [usize; 3],
     /// [`layout::Grid`].
     pub grid: wgpu::Buffer,
+    sample_bits: u32,
     samples: wgpu::Buffer,
+    levels: wgpu::Buffer,
     // 16 bytes until a scene needs them.
     gradients: wgpu::Buffer,
     places: wgpu::Buffer,
@@ -35,9 +38,13 @@ impl GridSamples {
     /// A grid beyond the device's limits, with the numbers.
     pub fn new(gpu: &Gpu, grid: &Grid) -> Result<Self> {
         let bricks_along = grid.voxels().map(|n| n.div_ceil(BRICK));
-        let count = grid.scalar.len() as u64;
+        let scalar = Axis::of(grid.scalar_range());
+        let Levels { bits, words, mut values } = Levels::of(&narrowed(&grid.scalar, scalar));
+        // Bound though it is not read.
+        values.resize(values.len().max(4), 0.0);
+        let bytes = words.len() as u64 * 4;
         // Tetrahedra are numbered in 32 bits.
-        if count * 4 > gpu.max_binding
+        if bytes > gpu.max_binding
             || grid.tet_count() > u64::from(u32::MAX)
             || bricks_along.iter().any(|&n| n > MOST_ALONG)
         {
@@ -45,20 +52,21 @@ impl GridSamples {
             return Err(Error::Device(format!(
                 "a grid of {x} x {y} x {z} samples is {} MiB; '{}' binds {} MiB at once, and {} voxels are drawn along \
                  an axis at most: coarsen the grid, or cut it",
-                (count * 4) >> 20,
+                bytes >> 20,
                 gpu.info.name,
                 gpu.max_binding >> 20,
                 MOST_ALONG * BRICK
             )));
         }
-        let scalar = Axis::of(grid.scalar_range());
         let places: Vec<f32> = grid.places.iter().flatten().map(|&p| p as f32).collect();
         Ok(Self {
             scalar,
             gradient: Axis::of(grid.gradient_range()),
             bricks_along,
             grid: gpu.uniform("grid", &[layout::Grid::default()]),
-            samples: gpu.storage("samples", &narrowed(&grid.scalar, scalar)),
+            sample_bits: bits,
+            samples: gpu.storage("samples", &words),
+            levels: gpu.storage("levels", &values),
             gradients: gpu.storage("gradients", &[0.0f32; 4]),
             places: gpu.storage("places", &places),
         })
@@ -66,16 +74,37 @@ impl GridSamples {
 
     /// The same samples, for passes that see a part of the grid of their own.
     pub fn shared(&self, gpu: &Gpu) -> Self {
-        let (samples, gradients, places) = (self.samples.clone(), self.gradients.clone(), self.places.clone());
+        let [samples, levels] = [&self.samples, &self.levels].map(wgpu::Buffer::clone);
+        let [gradients, places] = [&self.gradients, &self.places].map(wgpu::Buffer::clone);
         let grid = gpu.uniform("grid", &[layout::Grid::default()]);
-        Self { samples, gradients, places, grid, ..*self }
+        Self { samples, levels, gradients, places, grid, ..*self }
     }
 
     /// Uploads gradient magnitudes, if no scene needed them before.
-    pub fn need_gradients(&mut self, gpu: &Gpu, grid: &Grid) {
-        if self.gradients.size() < grid.scalar.len() as u64 * 4 {
+    ///
+    /// # Errors
+    /// A grid beyond the device's limits, with the numbers.
+    pub fn need_gradients(&mut self, gpu: &Gpu, grid: &Grid) -> Result<()> {
+        let bytes = grid.scalar.len() as u64 * 4;
+        if bytes > gpu.max_binding {
+            let [x, y, z] = grid.points;
+            return Err(Error::Device(format!(
+                "the gradient magnitudes of {x} x {y} x {z} samples are {} MiB, and '{}' binds {} MiB at once: take a \
+                 function of the scalar alone, coarsen the grid, or cut it",
+                bytes >> 20,
+                gpu.info.name,
+                gpu.max_binding >> 20
+            )));
+        }
+        if self.gradients.size() < bytes {
             self.gradients = gpu.storage("gradients", &narrowed(&grid.gradient_magnitude, self.gradient));
         }
+        Ok(())
+    }
+
+    /// What shaders are specialised to.
+    pub fn constant(&self) -> (&'static str, f64) {
+        ("SAMPLE_BITS", self.sample_bits.into())
     }
 
     /// Buffers by the names that shaders give them.
@@ -84,8 +113,8 @@ impl GridSamples {
     }
 
     /// What grows with the grid.
-    pub fn held(&self) -> [(&'static str, &wgpu::Buffer); 3] {
-        [("samples", &self.samples), ("gradients", &self.gradients), ("places", &self.places)]
+    pub fn held(&self) -> [(&'static str, &wgpu::Buffer); 4] {
+        [("samples", &self.samples), ("levels", &self.levels), ("gradients", &self.gradients), ("places", &self.places)]
     }
 }
 

@@ -68,6 +68,7 @@ impl GridScene {
         let flag = |b: bool| f64::from(u8::from(b));
         let weighted = transfer.emission == EmissionModel::Weighted;
         let mut constants = transfer.constants.clone();
+        constants.push(store.samples.constant());
         // What is transparent glows, too, where emission is not weighted by extinction.
         constants.push(("CULL", flag(settings.cull && weighted)));
         let counts = count_bricks(gpu, store, &transfer, &constants)?;
