@@ -18,7 +18,7 @@ pub use probe::{ChosenIntegral, LEAST_TOLERANCE, TOLERANCE, choose_integral};
 /// How cells meet pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
-    /// What the device does best: projection on a graphics device, ray casting on the CPU.
+    /// What costs least: rays on the CPU; on graphics devices what records say of the scene (`gpu::choose_method`).
     #[default]
     Auto,
     /// Projected tetrahedra (Shirley & Tuchman 1990): rasterised triangles, blended back to front.
@@ -86,6 +86,8 @@ pub struct Settings {
     /// Rays end where less than this share of the light behind would be seen, 0 to 1; 0: only at the mesh's end. The
     /// picture errs by at most as much, times the colours behind.
     pub least_transmittance: f64,
+    /// What a channel of a pixel may err by: [`OrderMethod::Auto`] takes half of it at most.
+    pub tolerance: f64,
 }
 
 impl Default for Settings {
@@ -99,6 +101,7 @@ impl Default for Settings {
             blend: BlendFormat::default(),
             layout: CellLayout::default(),
             least_transmittance: 1e-5,
+            tolerance: TOLERANCE,
         }
     }
 }

@@ -251,7 +251,7 @@ pub(super) struct ChoiceArgs {
     #[arg(long, default_value_t)]
     #[serde(serialize_with = "as_text")]
     pub integral: IntegralChoice,
-    /// What a channel of a pixel may err by, for --integral auto
+    /// What a channel of a pixel may err by, where integrals, orders and methods are chosen
     #[arg(long, value_name = "ERROR", default_value_t = renderer::TOLERANCE, value_parser = parse::tolerance)]
     pub tolerance: f64,
     /// Where cells are sorted; auto: on the host for software adapters
@@ -326,6 +326,7 @@ impl ChoiceArgs {
                 Layout::Fast => renderer::CellLayout::Fast,
                 Layout::Compact => renderer::CellLayout::Compact,
             },
+            tolerance: self.tolerance,
             least_transmittance: self.least_transmittance,
         }
     }

@@ -8,10 +8,10 @@ use indicatif::ProgressBar;
 use super::args::Device;
 use crate::cpu::{self, CpuRenderer};
 use crate::error::{Error, Result};
-use crate::gpu::{DeviceChoice, Gpu, GpuRenderer, GridCaster, GridRenderer, RayCaster};
+use crate::gpu::{DeviceChoice, Gpu, GpuRenderer, GridCaster, GridRenderer, RayCaster, choose_method};
 use crate::oracle::Oracle;
-use crate::renderer::{BlendFormat, Method, OrderMethod, Renderer, Settings};
-use crate::scene::{Optics, TransferFunction};
+use crate::renderer::{BlendFormat, Frame, Method, OrderMethod, Renderer, Settings};
+use crate::scene::Optics;
 use crate::space::Bounds;
 use crate::tet::{Grid, TetMesh};
 
@@ -19,6 +19,8 @@ use crate::tet::{Grid, TetMesh};
 pub(super) struct Chosen {
     pub renderer: Box<dyn Renderer>,
     pub note: Option<String>,
+    /// Why this method, where it was chosen.
+    pub why: Option<String>,
     /// The reference integrates in its own way.
     pub is_reference: bool,
 }
@@ -27,34 +29,32 @@ pub(super) struct Chosen {
 pub(super) struct Wish<'a> {
     pub device: Device,
     pub settings: Settings,
-    pub transfer: &'a TransferFunction,
-    pub optics: &'a Optics,
+    pub frame: &'a Frame<'a>,
 }
 
 /// The renderer of one's wish. `bar` follows pictures of renderers that know how far they are.
 pub(super) fn renderer(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<Chosen> {
     let settings = wish.settings;
-    let renderer = match wish.device {
-        Device::Oracle => reference(mesh, bar),
-        Device::Cpu => cast(mesh, settings)?,
-        Device::Gpu => on_gpu(Gpu::new(DeviceChoice::Any)?, mesh, settings)?,
-        Device::Software => on_gpu(Gpu::new(DeviceChoice::Software)?, mesh, settings)?,
+    let (renderer, why) = match wish.device {
+        Device::Oracle => (reference(mesh, bar), None),
+        Device::Cpu => (cast(mesh, settings)?, None),
+        Device::Gpu => on_gpu(Gpu::new(DeviceChoice::Any)?, mesh, wish)?,
+        Device::Software => on_gpu(Gpu::new(DeviceChoice::Software)?, mesh, wish)?,
         Device::Auto => return automatic(mesh, wish, bar),
     };
     let casts = matches!(wish.device, Device::Cpu | Device::Oracle) || settings.method == Method::RayCast;
     let note = (casts && settings.order != OrderMethod::Auto)
         .then(|| "rays have no order of cells: --order is not used".into());
-    Ok(Chosen { renderer, note, is_reference: wish.device == Device::Oracle })
+    Ok(Chosen { renderer, note, why, is_reference: wish.device == Device::Oracle })
 }
 
 /// Hardware first; then the CPU engine if it can render the scene; then a software adapter, and the reference at last.
 fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<Chosen> {
     let settings = wish.settings;
-    let chosen = |renderer, note: &str| {
-        Ok(Chosen { renderer, note: (!note.is_empty()).then(|| note.into()), is_reference: false })
-    };
+    let chosen =
+        |renderer, note: &str| Ok(Chosen { renderer, note: Some(note.into()), why: None, is_reference: false });
     let castable = matches!(settings.method, Method::Auto | Method::RayCast)
-        && cpu::supports(wish.transfer, wish.optics, settings.integral).is_ok();
+        && cpu::supports(wish.frame.transfer, wish.frame.optics, settings.integral).is_ok();
     match Gpu::new(DeviceChoice::Any) {
         Ok(gpu) if gpu.is_software() && castable => chosen(
             cast(mesh, settings)?,
@@ -63,7 +63,10 @@ fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<
                 gpu.info.name
             ),
         ),
-        Ok(gpu) => chosen(on_gpu(gpu, mesh, settings)?, ""),
+        Ok(gpu) => {
+            let (renderer, why) = on_gpu(gpu, mesh, wish)?;
+            Ok(Chosen { renderer, note: None, why, is_reference: false })
+        }
         Err(Error::Device(why)) if castable => {
             chosen(cast(mesh, settings)?, &format!("{why}; rays are cast on the CPU instead"))
         }
@@ -125,28 +128,22 @@ pub(super) fn grid_renderer(grid: &Arc<Grid>, wish: &Wish<'_>, clip: Option<[f64
         Box::new(if let Some(bounds) = bounds { renderer.clipped_to(&bounds)? } else { renderer })
     };
     let note = "a voxel of the grid stands for five tetrahedra, none of which is held; --split 6 makes a mesh";
-    Ok(Chosen { renderer, note: is_auto.then(|| note.into()), is_reference: false })
+    Ok(Chosen { renderer, note: is_auto.then(|| note.into()), why: None, is_reference: false })
 }
 
 fn cast(mesh: &Arc<TetMesh>, settings: Settings) -> Result<Box<dyn Renderer>> {
     Ok(Box::new(CpuRenderer::new(Arc::clone(mesh), settings)?))
 }
 
-/// Rays are the default: they see what is in front exactly, and of all meshes in `bench/results` they cost less on graphics
-/// devices than projected cells in an order as good.
-fn on_gpu(gpu: Gpu, mesh: &Arc<TetMesh>, settings: Settings) -> Result<Box<dyn Renderer>> {
-    let free = settings.order == OrderMethod::Auto && settings.blend == BlendFormat::Auto;
-    if settings.method == Method::Auto && free {
-        match RayCaster::new(gpu.clone(), Arc::clone(mesh), settings) {
-            // Links take more room than cells.
-            Err(Error::Device(_)) => {}
-            caster => return Ok(Box::new(caster?)),
-        }
-    }
+/// What was asked for, or what is chosen, and why.
+fn on_gpu(gpu: Gpu, mesh: &Arc<TetMesh>, wish: &Wish<'_>) -> Result<(Box<dyn Renderer>, Option<String>)> {
+    let (mesh, settings) = (Arc::clone(mesh), wish.settings);
     Ok(match settings.method {
-        Method::RayCast => Box::new(RayCaster::new(gpu, Arc::clone(mesh), settings)?),
-        Method::Auto | Method::Project | Method::CellCast => {
-            Box::new(GpuRenderer::new(gpu, Arc::clone(mesh), settings)?)
+        Method::RayCast => (Box::new(RayCaster::new(gpu, mesh, settings)?), None),
+        Method::Project | Method::CellCast => (Box::new(GpuRenderer::new(gpu, mesh, settings)?), None),
+        Method::Auto => {
+            let chosen = choose_method(gpu, mesh, settings, wish.frame)?;
+            (chosen.renderer, Some(chosen.why))
         }
     })
 }

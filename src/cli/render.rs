@@ -54,12 +54,12 @@ fn draw(
     let bar = progress::bar("rendering");
     let start = Instant::now();
     let settings = args.choices.settings();
-    let wish = Wish { device: args.device, settings, transfer: &transfer, optics: &job.scene.optics };
-    let Chosen { mut renderer, note, is_reference } = progress::step("preparing", || make(&wish, &bar))?;
-    let prepare = start.elapsed();
     let background = job.scene.premultiplied_background();
     let frame =
         Frame { camera: &camera, transfer: &transfer, optics: &job.scene.optics, size: job.scene.size, background };
+    let wish = Wish { device: args.device, settings, frame: &frame };
+    let Chosen { mut renderer, note, why, is_reference } = progress::step("preparing", || make(&wish, &bar))?;
+    let prepare = start.elapsed();
     let timed = args.explain || args.stats.is_some();
     let integral = match args.choices.integral {
         IntegralChoice::Auto if !is_reference => {
@@ -83,7 +83,7 @@ fn draw(
     }
     if timed || args.repeat > 1 {
         let timing = Timing { load, prepare, frames };
-        let report = Report::new(args, mesh, job.scene.size, &rendered.stats, &timing);
+        let report = Report::new(args, mesh, job.scene.size, &rendered.stats, &timing).because(why);
         if args.explain {
             output::note(&report.explain());
         } else if args.stats.is_none() {

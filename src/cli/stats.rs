@@ -47,6 +47,7 @@ pub(super) struct Report<'a> {
     frame_seconds_max: f64,
     pipelines: &'a str,
     notes: &'a [String],
+    chosen: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -128,7 +129,13 @@ impl<'a> Report<'a> {
             frame_seconds_max: seconds.last().copied().unwrap_or(0.0),
             pipelines: &stats.pipelines,
             notes: &stats.notes,
+            chosen: None,
         }
+    }
+
+    /// Why the method was taken, where it was chosen.
+    pub fn because(self, chosen: Option<String>) -> Self {
+        Self { chosen, ..self }
     }
 
     /// One line.
@@ -150,6 +157,9 @@ impl<'a> Report<'a> {
             self.settings.integral,
             if choices.cull { "on" } else { "off" }
         );
+        if let Some(why) = &self.chosen {
+            let _ = writeln!(text, "chosen    {why}");
+        }
         if !self.order.is_empty() {
             let _ = writeln!(text, "order     {}", self.order);
         }

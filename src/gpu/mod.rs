@@ -1,6 +1,7 @@
 //! Rendering on the GPU through wgpu: the only module that knows of it.
 
 mod cells;
+mod choice;
 mod cover;
 mod device;
 mod frame;
@@ -29,6 +30,7 @@ mod target;
 mod transfer;
 mod widgets;
 
+pub use choice::{ChosenMethod, choose_method};
 pub use device::{DeviceChoice, Gpu};
 pub use grid::{GridCaster, GridRenderer};
 pub use raycast::RayCaster;

@@ -6,7 +6,7 @@ use crate::gpu::device::Gpu;
 use crate::gpu::store::{Pieces, Store};
 use crate::plan::near::NearCut;
 use crate::plan::order::{self, Inversions, PowerCensus, PowerOrder, Sequenced};
-use crate::renderer::{Frame, OrderChoice, OrderMethod};
+use crate::renderer::{Frame, OrderChoice, OrderMethod, Settings};
 use crate::scene::Camera;
 use crate::tet::{Adjacency, TetMesh};
 
@@ -66,9 +66,9 @@ impl Ordering {
     }
 
     /// The order of a frame, and why.
-    pub fn choose(&self, mesh: &TetMesh, asked: OrderMethod, frame: &Frame<'_>) -> OrderChoice {
+    pub fn choose(&self, mesh: &TetMesh, settings: &Settings, frame: &Frame<'_>) -> OrderChoice {
         let diagonal = *self.diagonal.get_or_init(|| mesh.bounds_in_data().diagonal());
-        OrderChoice::new(asked, frame.transfer, frame.optics, diagonal, || self.census(mesh))
+        OrderChoice::new(settings, frame.transfer, frame.optics, diagonal, || self.census(mesh))
     }
 
     /// Puts on the device what keys are made of.

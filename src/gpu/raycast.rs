@@ -23,7 +23,7 @@ use crate::plan::lens::Lens;
 use crate::renderer::{
     BufferSize, CellLayout, Frame, PassTime, RayCounts, Rendered, Renderer, SegmentIntegral, Settings, Stats,
 };
-use crate::scene::EmissionModel;
+use crate::scene::{EmissionModel, Projection};
 use crate::tet::{LinkedMesh, TetMesh};
 
 /// Pixels along a tile's side: a workgroup each (`shared/walk.wgsl`).
@@ -161,6 +161,21 @@ impl RayCaster {
         // Functions are normalised to the field's ranges, and what is transparent has changed.
         self.scene = None;
         self.gpu.wait()
+    }
+
+    /// The share of cells that the function does not leave transparent.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn shown(&mut self, frame: &Frame<'_>) -> Result<f64> {
+        self.prepare_scene(frame, matches!(frame.camera.projection, Projection::Perspective { .. }))?;
+        let scene = self.scene.as_ref().ok_or_else(unprepared)?;
+        Ok(self.occupied_cells(scene)? as f64 / self.linked.cells.len().max(1) as f64)
+    }
+
+    fn occupied_cells(&self, scene: &Scene) -> Result<u64> {
+        let bits: Vec<u32> = self.gpu.read(&scene.occupied, scene.occupied.size())?;
+        Ok(bits.iter().map(|word| u64::from(word.count_ones())).sum())
     }
 
     /// Makes kernels and marks cells where the transfer function or what kernels are specialised to changed.
@@ -347,8 +362,7 @@ impl RayCaster {
     fn stats(&self, Drawn { passes, notes }: Drawn) -> Result<Stats> {
         let scene = self.scene.as_ref().ok_or_else(unprepared)?;
         let cells = self.linked.cells.len() as u64;
-        let bits: Vec<u32> = self.gpu.read(&scene.occupied, scene.occupied.size())?;
-        let visible = bits.iter().map(|word| u64::from(word.count_ones())).sum();
+        let visible = self.occupied_cells(scene)?;
         // The buffer may be that of a larger picture before.
         let size = self.target.as_ref().ok_or_else(unprepared)?.size;
         let tiles: u64 = size.map(|n| u64::from(n.div_ceil(TILE))).iter().product();

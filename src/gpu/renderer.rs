@@ -336,7 +336,7 @@ impl GpuRenderer {
     /// The order of a frame. Cells are sorted, and a note says so, where lists were chosen, but not asked for, and the
     /// device cannot count the picture's fragments.
     fn choose_order(&self, frame: &Frame<'_>) -> (OrderChoice, Option<String>) {
-        let choice = self.ordering.choose(&self.mesh, self.settings.order, frame);
+        let choice = self.ordering.choose(&self.mesh, &self.settings, frame);
         let lists = choice.method == OrderMethod::PerPixel && self.settings.order != OrderMethod::PerPixel;
         if !lists || FragmentLists::can_count(&self.gpu, frame.size) {
             let warning = choice.warning();

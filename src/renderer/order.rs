@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::plan::order::{PowerCensus, Proof};
+use crate::renderer::Settings;
 use crate::scene::{EmissionModel, Optics, TransferFunction};
 
 /// In which order cells are blended.
@@ -42,8 +43,8 @@ impl fmt::Display for OrderMethod {
     }
 }
 
-/// By how much the order of cells may change a channel before it has to be right: half of what 8 bits tell.
-const LEAST_CHANGE: f64 = 1.0 / 512.0;
+/// Of a tolerance, what the order of cells may take before it has to be right.
+const SHARE: f64 = 0.5;
 
 /// An order, and why it was taken.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,22 +59,24 @@ pub struct OrderChoice {
 }
 
 impl OrderChoice {
-    /// What was asked for; of `Auto`: by centroids where no order changes a pixel by more than 1/512 (in meshes whose
+    /// What was asked for; of `Auto`: by centroids where no order changes a pixel by more than half of the
+    /// tolerance (in meshes whose
     /// parts do not lie in each other); by powers where the census proves them; else pixel by pixel, though a cheaper
     /// order may be right for one eye, which is known only when it has been tried.
     ///
     /// `diagonal`: of the mesh, data units; `census` is asked only where it matters.
     pub fn new<'a>(
-        asked: OrderMethod,
+        settings: &Settings,
         transfer: &TransferFunction,
         optics: &Optics,
         diagonal: f64,
         census: impl Fn() -> &'a PowerCensus,
     ) -> Self {
         let of = |method, why: &str| Self { method, why: why.to_owned(), doubt: None };
+        let (asked, least_change) = (settings.order, SHARE * settings.tolerance);
         let change = largest_change(transfer, optics, diagonal);
         let asked_for = |why: &str, is_right: bool| Self {
-            doubt: (!is_right && change > LEAST_CHANGE).then_some(change),
+            doubt: (!is_right && change > least_change).then_some(change),
             ..of(asked, why)
         };
         match asked {
@@ -98,8 +101,9 @@ impl OrderChoice {
         if change == 0.0 {
             return of(OrderMethod::Centroid, "all is of one colour, so that no order matters");
         }
-        if change <= LEAST_CHANGE {
-            return of(OrderMethod::Centroid, "the function is so thin that no order changes more than 1/512");
+        if change <= least_change {
+            let why = format!("the function is so thin that no order changes more than {least_change:.1e}");
+            return of(OrderMethod::Centroid, &why);
         }
         if census().is_exact() {
             return of(OrderMethod::Power, "exact, as the mesh is regular and convex");
@@ -163,6 +167,7 @@ fn largest_extinction(transfer: &TransferFunction) -> f64 {
 mod tests {
     use super::*;
     use crate::plan::order::Metric;
+    use crate::renderer::TOLERANCE;
     use crate::scene::{Curve, CurveNode, Silhouette, SilhouetteMode};
     use crate::tet::Finding;
 
@@ -221,7 +226,8 @@ mod tests {
         };
         let (regular, dented) = (census(true, 0), census(false, 3));
         let (thin, thick) = (curve(&RED_BLUE, 0.01), curve(&RED_BLUE, 10.0));
-        let choice = |asked, transfer, census| OrderChoice::new(asked, transfer, &Optics::PLAIN, 1.0, || census);
+        let by = |order| Settings { order, ..Settings::default() };
+        let choice = |asked, transfer, census| OrderChoice::new(&by(asked), transfer, &Optics::PLAIN, 1.0, || census);
         for asked in [OrderMethod::Centroid, OrderMethod::Power, OrderMethod::Mpvonc] {
             let doubtful = choice(asked, &thick, &dented);
             assert!(doubtful.doubt.is_some_and(|most| (0.9..1.0).contains(&most)), "{doubtful:?}");
@@ -235,19 +241,19 @@ mod tests {
             assert_eq!(choice(asked, &thick, &dented).warning(), None, "{asked}");
         }
         let unweighted = Optics { emission: EmissionModel::Unweighted, ..Optics::PLAIN };
-        let unknown = OrderChoice::new(OrderMethod::Centroid, &thick, &unweighted, 1.0, || &regular);
+        let unknown = OrderChoice::new(&by(OrderMethod::Centroid), &thick, &unweighted, 1.0, || &regular);
         assert!(unknown.warning().is_some_and(|text| text.contains("unknown amount")), "{unknown:?}");
     }
 
     #[test]
     fn thin_functions_are_told_by_depth_color_and_light() {
         let change = |transfer: &TransferFunction, optics: &Optics| largest_change(transfer, optics, 1.0);
-        let is_thin = |colors: &[[f64; 3]], depth| change(&curve(colors, depth), &Optics::PLAIN) <= LEAST_CHANGE;
-        assert!(is_thin(&RED_BLUE, 0.090) && !is_thin(&RED_BLUE, 0.091));
+        let is_thin = |colors: &[[f64; 3]], depth| change(&curve(colors, depth), &Optics::PLAIN) <= SHARE * TOLERANCE;
+        assert!(is_thin(&RED_BLUE, 0.063) && !is_thin(&RED_BLUE, 0.064));
         // Four times as bright: half as much of each half.
         let bright = RED_BLUE.map(|color| color.map(|c| 4.0 * c));
-        assert!(is_thin(&bright, 0.044) && !is_thin(&bright, 0.045));
-        assert!(is_thin(&[[0.5; 3], [0.6; 3]], 0.3));
+        assert!(is_thin(&bright, 0.031) && !is_thin(&bright, 0.032));
+        assert!(is_thin(&[[0.5; 3], [0.6; 3]], 0.2));
         assert_eq!(change(&curve(&[[3.0; 3]; 2], 1e3), &Optics::PLAIN), 0.0);
         let thin = curve(&RED_BLUE, 1e-6);
         let silhouette = Silhouette { exponent: 1.0, strength: 0.5, mode: SilhouetteMode::Depth };

@@ -6,7 +6,7 @@ use glam::DVec3;
 use tetralux::mesh::synth::Sample;
 use tetralux::oracle::Oracle;
 use tetralux::renderer::{Frame, Renderer, choose_integral};
-use tetralux::scene::{Camera, Optics, Projection, TransferFunction, Widget, WidgetShape};
+use tetralux::scene::{Camera, Curve, CurveNode, Optics, Projection, TransferFunction, Widget, WidgetShape};
 use tetralux::tet::TetMesh;
 
 use super::meshes;
@@ -20,6 +20,13 @@ pub struct Scene {
     pub mesh: Arc<TetMesh>,
     pub transfer: TransferFunction,
     pub camera: Camera,
+}
+
+impl Scene {
+    pub fn frame(&self) -> Frame<'_> {
+        let Self { transfer, camera, .. } = self;
+        Frame { camera, transfer, optics: &Optics::PLAIN, size: SIZE, background: [0.0; 4] }
+    }
 }
 
 /// A few widgets of one kind or of several, from wide to narrow, from thin to dense.
@@ -67,13 +74,36 @@ pub fn scenes() -> Vec<Scene> {
     scenes
 }
 
+/// Functions of the scalar alone, from few narrow bands to the whole range, from so thin that no order of cells matters to
+/// dense, over the same meshes and the same places.
+pub fn curves() -> Vec<Scene> {
+    let mut random = Random(26_11);
+    let of = |scene: Scene| {
+        let (range, diagonal) = (scene.mesh.scalar_range(), meshes::center_and_diagonal(&scene.mesh).1);
+        let width = 10f64.powf(random.within(-1.7, 0.0));
+        let depth = 10f64.powf(random.within(-1.0, 1.5));
+        // Around what is somewhere in the mesh.
+        let vertex = (random.unit() * scene.mesh.scalar.len() as f64) as usize;
+        let low = ((scene.mesh.scalar[vertex] - range.min) / range.length() - 0.5 * width).clamp(0.0, 1.0 - width);
+        let mut node = |at: f64, depth: f64| CurveNode {
+            scalar: range.min + at * range.length(),
+            color: random.in_cube().to_array(),
+            extinction: depth / width / diagonal,
+        };
+        let nodes = vec![node(low, 0.0), node(low + 0.5 * width, depth), node(low + width, 0.0)];
+        let name = format!("{}: a curve of width {width:.2} and depth {depth:.2}", scene.name);
+        Scene { name, transfer: TransferFunction::Curve(Curve { nodes }), ..scene }
+    };
+    scenes().into_iter().map(of).collect()
+}
+
 /// What is chosen for a tolerance, and by how much the picture errs.
 pub fn chosen(scene: &Scene, renderer: &mut dyn Renderer, tolerance: f64) -> (String, f64) {
-    let Scene { mesh, transfer, camera, .. } = scene;
-    let frame = Frame { camera, transfer, optics: &Optics::PLAIN, size: SIZE, background: [0.0; 4] };
+    let Scene { mesh, .. } = scene;
+    let frame = scene.frame();
     let choice = choose_integral(renderer, &frame, tolerance).expect("a choice");
     let got = renderer.render(&frame, false).expect("a picture").image;
     let want = Oracle::new(mesh.clone()).image(&frame).expect("the truth");
-    assert!(want.pixels.iter().filter(|p| p[3] > 0.02).count() > 200, "{}: nothing is seen", scene.name);
+    assert!(want.pixels.iter().filter(|p| p[3] > 1e-3).count() > 20, "{}: nothing is seen", scene.name);
     (choice.integral.to_string(), tetralux::image::Comparison::new(&got, &want).expect("equal sizes").max)
 }

@@ -25,6 +25,7 @@ const DEFAULT: Settings = Settings {
     blend: tetralux::renderer::BlendFormat::Auto,
     layout: tetralux::renderer::CellLayout::Auto,
     least_transmittance: 1e-5,
+    tolerance: tetralux::renderer::TOLERANCE,
 };
 
 /// Samples of `value` at the corners of so many voxels.

@@ -134,9 +134,9 @@ fn counted_inversions_are_those_of_the_drawn_cells() {
 fn auto_takes_what_the_scene_needs() {
     let (regular, other) = (mapped_delaunay(DMat3::IDENTITY), moved());
     let thick = |mesh: &TetMesh| rainbow(mesh, 20, 10.0);
-    // Of which no order changes more than 1/512, and of which one might: at most ten times as deep.
-    let thin = |mesh: &TetMesh| rainbow(mesh, 20, 0.0095);
-    let thicker = |mesh: &TetMesh| rainbow(mesh, 20, 0.0097);
+    // Of which no order changes more than 1/1024, and of which one might: at most ten times as deep.
+    let thin = |mesh: &TetMesh| rainbow(mesh, 20, 0.0066);
+    let thicker = |mesh: &TetMesh| rainbow(mesh, 20, 0.0069);
     let gold = |mesh: &TetMesh| {
         let (range, (_, diagonal)) = (mesh.scalar_range(), meshes::center_and_diagonal(mesh));
         let node = |scalar, depth: f64| CurveNode { scalar, color: [0.9, 0.6, 0.3], extinction: depth / diagonal };

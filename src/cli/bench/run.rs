@@ -12,7 +12,7 @@ use super::machine::{this_machine, used};
 use super::plan::{Choice, Plan, Shot, shot};
 use super::strips::picture_name;
 use super::{peers, subject};
-use crate::cli::args::{ChoiceArgs, Device, IntegralChoice, name_of};
+use crate::cli::args::{ChoiceArgs, Device, IntegralChoice, Method, name_of};
 use crate::cli::device::{self, Wish};
 use crate::cli::output;
 use crate::error::{Error, Result};
@@ -189,8 +189,8 @@ impl Run<'_> {
             let measured = made.and_then(|mut made| {
                 let frame = subject::frame(&scenery.shot, scenery.subject.size);
                 let measured = made.measure(choice, &frame, self.plan.repeats, &scenery.truth)?;
-                // Software adapters keep what they drew with until the device goes.
-                ready = (choice.device != Device::Software).then_some(made);
+                // Software adapters keep what they drew with until the device goes. What is chosen is chosen for a scene.
+                ready = (choice.device != Device::Software && choice.method != Method::Auto).then_some(made);
                 Ok(measured)
             });
             let (result, refused) = match measured {
@@ -241,6 +241,7 @@ fn label(by: &Contender) -> String {
 /// A renderer, and what making it took.
 struct Ready {
     renderer: Box<dyn Renderer>,
+    why: Option<String>,
     is_reference: bool,
     made: Duration,
 }
@@ -248,11 +249,12 @@ struct Ready {
 fn make(mesh: &Arc<TetMesh>, choice: Choice, scenery: &Scenery) -> Result<Ready> {
     let Choice { device, method, integral, order } = choice;
     let settings = ChoiceArgs::of(method, order, integral).settings();
-    let wish = Wish { device, settings, transfer: &scenery.shot.transfer, optics: &scenery.shot.optics };
+    let frame = subject::frame(&scenery.shot, scenery.subject.size);
+    let wish = Wish { device, settings, frame: &frame };
     let start = Instant::now();
     let chosen = device::renderer(mesh, &wish, &ProgressBar::hidden())?;
     let made = start.elapsed();
-    Ok(Ready { renderer: chosen.renderer, is_reference: chosen.is_reference, made })
+    Ok(Ready { renderer: chosen.renderer, why: chosen.why, is_reference: chosen.is_reference, made })
 }
 
 impl Ready {
@@ -285,6 +287,7 @@ impl Ready {
         let chosen: Vec<String> = integral
             .map(|chosen| format!("{}: {}", chosen.integral, chosen.why))
             .into_iter()
+            .chain(self.why.clone())
             .chain(Some(stats.order).filter(|order| !order.is_empty()))
             .collect();
         let measured = Measured {
