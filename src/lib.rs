@@ -22,6 +22,7 @@
 //! | [`gpu`] | projection and ray casting on wgpu: the only module that knows of it; its passes are the files of `shaders/` |
 //! | [`report`] | what runs are worth: [`report::record`], [`report::diff`]; [`report::segments`] holds an integral against the truth, [`report::stability`] every method in scenes where they go wrong |
 //! | `cli` | the command line (feature `cli`): arguments, jobs, one file a command |
+//! | `viewer` | the window (feature `viewer`): a picture, and its function drawn on the joint histogram |
 //!
 //! # From a file to a picture
 //!
@@ -65,3 +66,5 @@ pub mod tables;
 pub mod tet;
 
 pub use error::{Error, Result};
+#[cfg(feature = "viewer")]
+pub mod viewer;

@@ -16,7 +16,8 @@ const LAYERS: &[&[&str]] = &[
     &["renderer"],
     &["oracle", "cpu", "gpu"],
     &["report"],
-    &["cli", "viewer"],
+    &["cli"],
+    &["viewer"],
 ];
 
 /// What the user chose knows no mesh; only where it is applied to one, and the suggestion of a first transfer function, do.

@@ -2,6 +2,11 @@
 
 use std::process::ExitCode;
 
+#[cfg(not(feature = "viewer"))]
+use tetralux::cli::main as run;
+#[cfg(feature = "viewer")]
+use tetralux::viewer::main as run;
+
 fn main() -> ExitCode {
-    ExitCode::from(tetralux::cli::main(std::env::args_os()))
+    ExitCode::from(run(std::env::args_os()))
 }

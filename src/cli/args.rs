@@ -23,6 +23,8 @@ pub(super) struct Arguments {
 pub(super) enum Command {
     /// Render a mesh to a picture
     Render(Box<RenderArgs>),
+    /// Look at a mesh in a window, and draw its transfer function on the joint histogram
+    View(Box<ViewArgs>),
     /// Tell what a mesh holds and what became of its cells
     Info(InfoArgs),
     /// Write a procedural mesh with an analytic field
@@ -42,7 +44,7 @@ pub(super) enum Command {
 
 /// Which mesh, and how to read it.
 #[derive(Debug, Args)]
-pub(super) struct SourceArgs {
+pub(crate) struct SourceArgs {
     /// Mesh: .vtu .pvtu .vti .pvti .vtr .vts .pvd .vtk, PLOT3D (.xyz .x .bin .grd), .nrrd .nhdr, .raw
     pub mesh: PathBuf,
     /// Step of a time series, from 0 [default: the last]
@@ -87,7 +89,7 @@ impl SourceArgs {
 
 /// An integral, or the cheapest that holds a tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum IntegralChoice {
+pub(crate) enum IntegralChoice {
     Auto,
     Fixed(SegmentIntegral),
 }
@@ -126,13 +128,13 @@ impl std::str::FromStr for IntegralChoice {
 }
 
 /// What a choice is called on the command line.
-pub(super) fn name_of(choice: impl ValueEnum) -> String {
+pub(crate) fn name_of(choice: impl ValueEnum) -> String {
     choice.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default()
 }
 
 /// Tetrahedra per hexahedron.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Split {
+pub(crate) enum Split {
     #[value(name = "5")]
     Five,
     #[value(name = "6")]
@@ -140,7 +142,7 @@ pub(super) enum Split {
 }
 
 #[derive(Debug, Args)]
-pub(super) struct RenderArgs {
+pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub source: SourceArgs,
     /// Picture to write: .png (8 bit, straight alpha, sRGB) or .exr (32-bit float, linear, premultiplied)
@@ -170,10 +172,28 @@ pub(super) struct RenderArgs {
     pub choices: ChoiceArgs,
 }
 
+/// Public to tests of the window, which begin as the command line does.
+#[derive(Clone, Debug, Args)]
+pub struct ViewArgs {
+    /// Mesh: what `tetralux render` reads by its name alone; others can be opened or dropped later
+    pub mesh: Option<PathBuf>,
+    /// Scene file (TOML) to begin with
+    #[arg(short, long, value_name = "FILE")]
+    pub scene: Option<PathBuf>,
+    /// Scalar field: an array's name, or NAME:mag, NAME:x, NAME:0 [default: the first]
+    #[arg(short, long, value_name = "NAME")]
+    pub field: Option<String>,
+    /// Where to render: a graphics adapter (hardware preferred), a software one, the CPU, or the f64 reference there
+    #[arg(long, value_name = "DEVICE", default_value = "auto")]
+    pub device: Device,
+    #[command(flatten)]
+    pub choices: ChoiceArgs,
+}
+
 /// What replaces the scene file's values.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Scene")]
-pub(super) struct SceneArgs {
+pub(crate) struct SceneArgs {
     /// Scene file (TOML); every flag below wins over it
     #[arg(short, long, value_name = "FILE")]
     pub scene: Option<PathBuf>,
@@ -239,7 +259,7 @@ pub(super) struct SceneArgs {
 /// How, not what, is rendered.
 #[derive(Clone, Copy, Debug, Args, Serialize)]
 #[command(next_help_heading = "Method")]
-pub(super) struct ChoiceArgs {
+pub(crate) struct ChoiceArgs {
     /// How cells meet pixels
     #[arg(long, default_value = "auto")]
     pub method: Method,
@@ -334,7 +354,7 @@ impl ChoiceArgs {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub(super) enum Layout {
+pub(crate) enum Layout {
     Auto,
     /// At most 96 bytes a tetrahedron
     Fast,
@@ -343,13 +363,13 @@ pub(super) enum Layout {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Emission {
+pub(crate) enum Emission {
     Weighted,
     Unweighted,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum LightSpace {
+pub(crate) enum LightSpace {
     /// The camera: x right, y up, z towards the viewer
     View,
     /// The mesh
@@ -357,7 +377,7 @@ pub(super) enum LightSpace {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum SilhouetteMode {
+pub(crate) enum SilhouetteMode {
     /// Each cell's opacity and colour
     Opacity,
     /// The optical depth
@@ -366,7 +386,7 @@ pub(super) enum SilhouetteMode {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub(super) enum Method {
+pub(crate) enum Method {
     /// Rays; projected tetrahedra on graphics devices where an order of cells is asked for, or links do not fit
     Auto,
     /// Projected tetrahedra
@@ -379,7 +399,7 @@ pub(super) enum Method {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub(super) enum Order {
+pub(crate) enum Order {
     /// The cheapest that the function and the mesh allow
     Auto,
     /// View depth of the cell's centroid
@@ -403,7 +423,7 @@ fn as_text<S: serde::Serializer>(value: &impl std::fmt::Display, serializer: S) 
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub(super) enum Sort {
+pub(crate) enum Sort {
     Auto,
     Host,
     Gpu,
@@ -411,7 +431,7 @@ pub(super) enum Sort {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub(super) enum Blend {
+pub(crate) enum Blend {
     Auto,
     F32,
     F16,
@@ -419,7 +439,7 @@ pub(super) enum Blend {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub(super) enum Device {
+pub(crate) enum Device {
     /// A hardware graphics adapter if there is one, else the CPU, or what can render the scene
     Auto,
     /// Any graphics adapter, hardware preferred
@@ -433,12 +453,12 @@ pub(super) enum Device {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum StatsFormat {
+pub(crate) enum StatsFormat {
     Json,
 }
 
 #[derive(Debug, Args)]
-pub(super) struct InfoArgs {
+pub(crate) struct InfoArgs {
     #[command(flatten)]
     pub source: SourceArgs,
     /// Scalar field the census is about [default: the first]
@@ -450,7 +470,7 @@ pub(super) struct InfoArgs {
 }
 
 #[derive(Debug, Args)]
-pub(super) struct SampleArgs {
+pub(crate) struct SampleArgs {
     /// marschner-lobb, hydrogen, sphere-flow or tangle
     pub name: Sample,
     /// About how many tetrahedra
@@ -462,7 +482,7 @@ pub(super) struct SampleArgs {
 }
 
 #[derive(Debug, Args)]
-pub(super) struct CompareArgs {
+pub(crate) struct CompareArgs {
     /// The picture in question: .png or .exr
     pub got: PathBuf,
     /// What it should be
@@ -482,7 +502,7 @@ pub(super) struct CompareArgs {
 }
 
 #[derive(Debug, Args)]
-pub(super) struct HistogramArgs {
+pub(crate) struct HistogramArgs {
     #[command(flatten)]
     pub source: SourceArgs,
     /// Scalar field [default: the first]
@@ -500,7 +520,7 @@ pub(super) struct HistogramArgs {
 }
 
 #[derive(Debug, Args)]
-pub(super) struct TablesArgs {
+pub(crate) struct TablesArgs {
     /// Folder of the tables
     #[arg(short, long, value_name = "FOLDER", default_value = "tables")]
     pub output: PathBuf,

@@ -16,7 +16,7 @@ use crate::space::Bounds;
 use crate::tet::{Grid, TetMesh};
 
 /// A renderer, and what is to be said of the choice.
-pub(super) struct Chosen {
+pub(crate) struct Chosen {
     pub renderer: Box<dyn Renderer>,
     pub note: Option<String>,
     /// Why this method, where it was chosen.
@@ -26,20 +26,31 @@ pub(super) struct Chosen {
 }
 
 /// What decides.
-pub(super) struct Wish<'a> {
+pub(crate) struct Wish<'a> {
     pub device: Device,
     pub settings: Settings,
     pub frame: &'a Frame<'a>,
+    /// A device that is open already, for pictures on hardware.
+    pub shared: Option<&'a Gpu>,
+}
+
+impl Wish<'_> {
+    fn open(&self, choice: DeviceChoice) -> Result<Gpu> {
+        match self.shared {
+            Some(gpu) if choice == DeviceChoice::Any => Ok(gpu.clone()),
+            _ => Gpu::new(choice),
+        }
+    }
 }
 
 /// The renderer of one's wish. `bar` follows pictures of renderers that know how far they are.
-pub(super) fn renderer(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<Chosen> {
+pub(crate) fn renderer(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<Chosen> {
     let settings = wish.settings;
     let (renderer, why) = match wish.device {
         Device::Oracle => (reference(mesh, bar), None),
         Device::Cpu => (cast(mesh, settings)?, None),
-        Device::Gpu => on_gpu(Gpu::new(DeviceChoice::Any)?, mesh, wish)?,
-        Device::Software => on_gpu(Gpu::new(DeviceChoice::Software)?, mesh, wish)?,
+        Device::Gpu => on_gpu(wish.open(DeviceChoice::Any)?, mesh, wish)?,
+        Device::Software => on_gpu(wish.open(DeviceChoice::Software)?, mesh, wish)?,
         Device::Auto => return automatic(mesh, wish, bar),
     };
     let casts = matches!(wish.device, Device::Cpu | Device::Oracle) || settings.method == Method::RayCast;
@@ -55,7 +66,7 @@ fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<
         |renderer, note: &str| Ok(Chosen { renderer, note: Some(note.into()), why: None, is_reference: false });
     let castable = matches!(settings.method, Method::Auto | Method::RayCast)
         && cpu::supports(wish.frame.transfer, wish.frame.optics, settings.integral).is_ok();
-    match Gpu::new(DeviceChoice::Any) {
+    match wish.open(DeviceChoice::Any) {
         Ok(gpu) if gpu.is_software() && castable => chosen(
             cast(mesh, settings)?,
             &format!(
@@ -79,7 +90,7 @@ fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<
 }
 
 /// What a device is called here; none where there is none.
-pub(super) fn adapter(device: Device) -> Result<String> {
+pub(crate) fn adapter(device: Device) -> Result<String> {
     let choice = match device {
         Device::Cpu => return Ok(cpu::describe()),
         Device::Oracle => return Ok("the f64 reference".into()),
@@ -90,7 +101,7 @@ pub(super) fn adapter(device: Device) -> Result<String> {
 }
 
 /// Whether a grid needs no mesh: a graphics device that draws the scene without one.
-pub(super) fn takes_grids(device: Device, settings: Settings, optics: &Optics) -> bool {
+pub(crate) fn takes_grids(device: Device, settings: Settings, optics: &Optics) -> bool {
     let choice = match device {
         Device::Cpu | Device::Oracle => return false,
         Device::Auto | Device::Gpu => DeviceChoice::Any,
@@ -105,7 +116,7 @@ pub(super) fn takes_grids(device: Device, settings: Settings, optics: &Optics) -
 
 /// A renderer of a grid's implied tetrahedra, or of those in a box. Rays are the default: what they take does not grow with
 /// what can be seen.
-pub(super) fn grid_renderer(grid: &Arc<Grid>, wish: &Wish<'_>, clip: Option<[f64; 6]>) -> Result<Chosen> {
+pub(crate) fn grid_renderer(grid: &Arc<Grid>, wish: &Wish<'_>, clip: Option<[f64; 6]>) -> Result<Chosen> {
     let choice = match wish.device {
         Device::Auto | Device::Gpu => DeviceChoice::Any,
         Device::Software => DeviceChoice::Software,
@@ -115,7 +126,7 @@ pub(super) fn grid_renderer(grid: &Arc<Grid>, wish: &Wish<'_>, clip: Option<[f64
             return Err(Error::Asked(text.into()));
         }
     };
-    let (gpu, grid) = (Gpu::new(choice)?, Arc::clone(grid));
+    let (gpu, grid) = (wish.open(choice)?, Arc::clone(grid));
     let bounds =
         clip.map(|[x0, y0, z0, x1, y1, z1]| Bounds { min: DVec3::new(x0, y0, z0), max: DVec3::new(x1, y1, z1) });
     let is_auto = wish.settings.order == OrderMethod::Auto;

@@ -10,7 +10,7 @@ use crate::mesh::{self, ArrayChoice, Mesh, ReadOptions};
 use crate::tet::{BuildOptions, Census, FieldChoice, Grid, HexSplit, TetMesh};
 
 /// Reads the arrays that `field` needs, all of them where it is `None`.
-pub(super) fn mesh(source: &SourceArgs, arrays: ArrayChoice) -> Result<Mesh> {
+pub(crate) fn mesh(source: &SourceArgs, arrays: ArrayChoice) -> Result<Mesh> {
     let options = ReadOptions {
         arrays,
         step: source.step,
@@ -23,7 +23,7 @@ pub(super) fn mesh(source: &SourceArgs, arrays: ArrayChoice) -> Result<Mesh> {
 }
 
 /// Cuts `mesh` into tetrahedra.
-pub(super) fn cut(mesh: Mesh, source: &SourceArgs, field: Option<&str>) -> Result<(TetMesh, Census)> {
+pub(crate) fn cut(mesh: Mesh, source: &SourceArgs, field: Option<&str>) -> Result<(TetMesh, Census)> {
     let choice = field.map_or_else(FieldChoice::default, FieldChoice::parse);
     let hex_split = match source.split {
         Some(Split::Five) => HexSplit::FiveAlternating,
@@ -35,14 +35,14 @@ pub(super) fn cut(mesh: Mesh, source: &SourceArgs, field: Option<&str>) -> Resul
 }
 
 /// Both, telling on stderr what was left out or guessed.
-pub(super) fn tet_mesh(source: &SourceArgs, field: Option<&str>) -> Result<(TetMesh, Census)> {
+pub(crate) fn tet_mesh(source: &SourceArgs, field: Option<&str>) -> Result<(TetMesh, Census)> {
     let (mesh, census) = cut(mesh(source, arrays(field))?, source, field)?;
     tell(&census.notes);
     Ok((mesh, census))
 }
 
 /// What a renderer is made of.
-pub(super) enum Domain {
+pub(crate) enum Domain {
     /// Its tetrahedra are implied.
     Grid(Grid),
     Mesh(TetMesh),
@@ -50,7 +50,7 @@ pub(super) enum Domain {
 
 /// Which is wanted.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Wanted {
+pub(crate) enum Wanted {
     Grid,
     /// A grid, where that is one with values everywhere, and nothing was asked for that needs a mesh.
     GridIfPossible,
@@ -58,7 +58,7 @@ pub(super) enum Wanted {
 }
 
 /// Either, telling the same; `takes_grids` is asked where the mesh could be one.
-pub(super) fn domain(
+pub(crate) fn domain(
     source: &SourceArgs,
     field: Option<&str>,
     wanted: Wanted,

@@ -13,7 +13,7 @@ static WRITING: Mutex<()> = Mutex::new(());
 const INTERRUPTED: i32 = 130;
 
 /// From now on Ctrl-C waits for files that are being written: none is left in parts, nor under a temporary name.
-pub(super) fn end_whole() {
+pub(crate) fn end_whole() {
     // Without a handler the system's default remains.
     let _ = ctrlc::set_handler(|| {
         let _written = WRITING.lock().unwrap_or_else(PoisonError::into_inner);
@@ -22,18 +22,18 @@ pub(super) fn end_whole() {
 }
 
 /// Writes files by `write`, whatever is pressed meanwhile.
-pub(super) fn whole<T>(write: impl FnOnce() -> T) -> T {
+pub(crate) fn whole<T>(write: impl FnOnce() -> T) -> T {
     let _writing = WRITING.lock().unwrap_or_else(PoisonError::into_inner);
     write()
 }
 
 /// Refuses a picture that could not be written: an unknown extension, a folder that is not there or cannot be written.
-pub(super) fn check_picture(path: &Path) -> Result<()> {
+pub(crate) fn check_picture(path: &Path) -> Result<()> {
     check_file(path, &["png", "exr"])
 }
 
 /// The same for a file with one of these extensions.
-pub(super) fn check_file(path: &Path, extensions: &[&str]) -> Result<()> {
+pub(crate) fn check_file(path: &Path, extensions: &[&str]) -> Result<()> {
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
     if !extensions.contains(&extension.as_str()) {
         let known = extensions.iter().map(|e| format!(".{e}")).collect::<Vec<_>>().join(" or ");
@@ -56,13 +56,13 @@ fn folder_of(path: &Path) -> &Path {
 }
 
 /// Writes a text file whole or not at all.
-pub(super) fn write_whole(path: &Path, text: &str) -> Result<()> {
+pub(crate) fn write_whole(path: &Path, text: &str) -> Result<()> {
     whole(|| stage(path, text.as_bytes())?.persist(path).map_err(|e| Error::write(path, e.error)))?;
     Ok(())
 }
 
 /// Writes several files, each whole or not at all; none where one of them does not fit or cannot be made.
-pub(super) fn write_together(files: &[(PathBuf, Vec<u8>)]) -> Result<()> {
+pub(crate) fn write_together(files: &[(PathBuf, Vec<u8>)]) -> Result<()> {
     if let Some((path, _)) = files.iter().find(|(path, _)| path.is_dir()) {
         return Err(Error::write(path, "a folder has this name"));
     }
@@ -90,7 +90,7 @@ fn stage(path: &Path, contents: &[u8]) -> Result<tempfile::NamedTempFile> {
 }
 
 /// Prints to stdout. A closed pipe comes back as an error that `main` takes for the end.
-pub(super) fn say(text: &str) -> std::io::Result<()> {
+pub(crate) fn say(text: &str) -> std::io::Result<()> {
     let mut out = std::io::stdout().lock();
     out.write_all(text.as_bytes())?;
     if !text.ends_with('\n') {
@@ -100,7 +100,7 @@ pub(super) fn say(text: &str) -> std::io::Result<()> {
 }
 
 /// Tells something beside the result, on stderr.
-pub(super) fn note(text: &str) {
+pub(crate) fn note(text: &str) {
     // Where stderr is closed there is nobody to tell.
     let _ = writeln!(std::io::stderr().lock(), "{text}");
 }

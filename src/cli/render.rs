@@ -57,7 +57,7 @@ fn draw(
     let background = job.scene.premultiplied_background();
     let frame =
         Frame { camera: &camera, transfer: &transfer, optics: &job.scene.optics, size: job.scene.size, background };
-    let wish = Wish { device: args.device, settings, frame: &frame };
+    let wish = Wish { device: args.device, settings, frame: &frame, shared: None };
     let Chosen { mut renderer, note, why, is_reference } = progress::step("preparing", || make(&wish, &bar))?;
     let prepare = start.elapsed();
     let timed = args.explain || args.stats.is_some();

@@ -27,6 +27,7 @@ pub struct Gpu {
     pub device: wgpu::Device,
     /// Its queue.
     pub queue: wgpu::Queue,
+    adapter: wgpu::Adapter,
     /// Adapter, driver, back end.
     pub info: wgpu::AdapterInfo,
     /// Largest storage binding that is used, bytes.
@@ -109,7 +110,12 @@ impl Gpu {
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
             heard.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
         }));
-        Ok(Self { device, queue, info, max_binding, complaint, made: Arc::default() })
+        Ok(Self { device, queue, adapter: adapter.clone(), info, max_binding, complaint, made: Arc::default() })
+    }
+
+    /// What a window needs to draw on the same device: instance, adapter, device, queue.
+    pub fn parts(&self) -> (wgpu::Instance, wgpu::Adapter, wgpu::Device, wgpu::Queue) {
+        (instance().clone(), self.adapter.clone(), self.device.clone(), self.queue.clone())
     }
 
     /// True where shaders run on the host's cores.

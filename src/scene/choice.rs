@@ -225,7 +225,7 @@ fn widget_in_data(widget: &Widget, axes: [Axis; 2]) -> Widget {
     let shape = match &widget.shape {
         WidgetShape::Uniform => WidgetShape::Uniform,
         &WidgetShape::Gaussian { center, sigma, angle } => {
-            let (sigma, angle) = stretch(sigma, angle, [axes[0].scale, axes[1].scale]);
+            let (sigma, angle) = stretch_gaussian(sigma, angle, [axes[0].scale, axes[1].scale]);
             WidgetShape::Gaussian { center: [axes[0].data(center[0]), axes[1].data(center[1])], sigma, angle }
         }
         &WidgetShape::Triangle { direction, offset, period, duty } => {
@@ -269,7 +269,9 @@ fn knots_in_data(direction: [f64; 2], knots: &[[f64; 2]], axes: [Axis; 2]) -> ([
 /// A rotated Gaussian under a stretch of the axes is another one: its standard deviations are the singular values of
 /// `diag(scale) R(angle) diag(sigma)`. The larger comes from one Jacobi rotation of the columns, the smaller from the
 /// determinant, which keeps its digits where the scales differ by many orders of magnitude.
-fn stretch(sigma: [f64; 2], angle: f64, scale: [f64; 2]) -> ([f64; 2], f64) {
+///
+/// Standard deviations and angle (radians) before and after; `scale`: of both axes, positive.
+pub fn stretch_gaussian(sigma: [f64; 2], angle: f64, scale: [f64; 2]) -> ([f64; 2], f64) {
     if angle == 0.0 {
         return ([sigma[0] * scale[0], sigma[1] * scale[1]], 0.0);
     }
@@ -297,7 +299,7 @@ mod tests {
     #[test]
     fn stretched_gaussians_keep_their_values() {
         for (sigma, angle, scale) in [([0.1, 0.02], 0.7, [3.0, 50.0]), ([0.02, 0.1], -2.0, [100.0, 1.0])] {
-            let (data_sigma, data_angle) = stretch(sigma, angle, scale);
+            let (data_sigma, data_angle) = stretch_gaussian(sigma, angle, scale);
             for d in [[0.1, 0.0], [0.0, 0.1], [0.05, -0.07]] {
                 let want = profile(sigma, angle, d);
                 let got = profile(data_sigma, data_angle, [d[0] * scale[0], d[1] * scale[1]]);
@@ -306,7 +308,7 @@ mod tests {
                 assert!((planted - want).abs() > 1e-11 * want, "a wrong angle must show");
             }
         }
-        let (sigma, _) = stretch([0.3, 0.2], 1.0, [1e-20, 1e20]);
+        let (sigma, _) = stretch_gaussian([0.3, 0.2], 1.0, [1e-20, 1e20]);
         assert!((sigma[0] * sigma[1] / 0.06 - 1.0).abs() < 1e-14 && sigma[1] > 0.0, "{sigma:?}");
     }
 

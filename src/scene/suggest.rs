@@ -31,23 +31,125 @@ const PLAIN: [f64; 3] = [0.6; 3];
 /// extinction makes its share of the volume add the same optical depth, so that small features are dense and large
 /// ones transparent. A constant field gets one uniform widget. Deterministic; shows something on every mesh.
 pub fn suggest(mesh: &(impl Domain + ?Sized), histogram: &JointHistogram) -> TransferFunction {
-    let depth_per_extinction = mean_path(mesh.bounds_in_data(), histogram.total());
     let constant = histogram.scalar.length() <= 1e-12 * histogram.scalar.max.abs().max(histogram.scalar.min.abs());
-    let shapes = if constant { Vec::new() } else { place(histogram) };
-    let colors = spread_colors(&shapes);
-    let mut widgets = Vec::new();
-    for (&peak, color) in shapes.iter().zip(colors) {
-        let coverage = peak.coverage(histogram).max(SMALLEST_COVERAGE);
-        let extinction = OPTICAL_DEPTH / shapes.len() as f64 / (depth_per_extinction * coverage);
-        if extinction.is_finite() {
-            widgets.push(Widget::new(peak.shape(), color, extinction));
-        }
-    }
+    let peaks = if constant { Vec::new() } else { place(histogram) };
+    let mut widgets = widgets(&peaks, mesh, histogram);
     if widgets.is_empty() {
-        let extinction = OPTICAL_DEPTH / depth_per_extinction;
+        let extinction = OPTICAL_DEPTH / mean_path(mesh.bounds_in_data(), histogram.total());
         widgets.push(Widget::new(WidgetShape::Uniform, PLAIN, extinction));
     }
     TransferFunction::Widgets(widgets)
+}
+
+/// Widgets where materials meet: up to four, after Kindlmann & Durkin (1998, *Semi-automatic generation of transfer
+/// functions for direct volume rendering*).
+///
+/// Their position function `p(v) = -sigma^2 h(v) / g(v)`, with g the mean gradient magnitude at a value v and h the mean
+/// second derivative along the gradient, is 0 at a boundary's middle. In a tetrahedron the field is linear and has no
+/// second derivative; along the gradient `h = g dg/dv`, so that p is 0 where g(v) is greatest: at the top of each
+/// arch that a boundary draws in the histogram. Empty for a field without any.
+pub fn boundaries(mesh: &(impl Domain + ?Sized), histogram: &JointHistogram) -> Vec<Widget> {
+    let columns = columns(histogram, |_| 1.0);
+    let gradients: Vec<f64> = columns.iter().map(|column| column.mean).collect();
+    widgets(&tops(&columns, &gradients, histogram), mesh, histogram)
+}
+
+/// Widgets in homogeneous regions: up to four, at the values that most of the volume takes where the gradient is low.
+pub fn homogeneous_regions(mesh: &(impl Domain + ?Sized), histogram: &JointHistogram) -> Vec<Widget> {
+    let total = histogram.total();
+    let mean = bins(histogram).map(|(at, volume)| volume * at[1]).sum::<f64>() / total;
+    let columns = columns(histogram, |gradient| (-gradient / (0.5 * mean).max(f64::MIN_POSITIVE)).exp());
+    let volumes: Vec<f64> = columns.iter().map(|column| column.volume).collect();
+    widgets(&tops(&columns, &volumes, histogram), mesh, histogram)
+}
+
+/// What is known of a scalar's bin.
+#[derive(Clone, Copy, Default)]
+struct Column {
+    /// As weighted.
+    volume: f64,
+    /// Of the gradient magnitude, and the standard deviation.
+    mean: f64,
+    deviation: f64,
+}
+
+/// Of each bin of the scalar, by `weight` of the gradient magnitude; smoothed over what two hundredths of the range hold.
+fn columns(histogram: &JointHistogram, weight: impl Fn(f64) -> f64) -> Vec<Column> {
+    let width = histogram.bins[0];
+    let mut sums = vec![[0.0; 3]; width];
+    for (index, &volume) in histogram.counts.iter().enumerate() {
+        let [_, gradient] = histogram.bin_center(index % width, index / width);
+        let volume = volume * weight(gradient);
+        let of = &mut sums[index % width];
+        *of = [of[0] + volume, of[1] + volume * gradient, of[2] + volume * gradient * gradient];
+    }
+    let reach = (width / 100).max(1);
+    let smooth = |i: usize| {
+        let near = i.saturating_sub(reach)..(i + reach + 1).min(width);
+        let [volume, first, second] = near.fold([0.0; 3], |sum, j| std::array::from_fn(|k| sum[k] + sums[j][k]));
+        if volume <= 0.0 {
+            return Column::default();
+        }
+        let mean = first / volume;
+        Column { volume, mean, deviation: (second / volume - mean * mean).max(0.0).sqrt() }
+    };
+    (0..width).map(smooth).collect()
+}
+
+/// Gaussians at the highest maxima of `heights` over the scalar, which are as wide as these.
+fn tops(columns: &[Column], heights: &[f64], histogram: &JointHistogram) -> Vec<Peak> {
+    let last = heights.len() - 1;
+    let highest = heights.iter().copied().fold(0.0, f64::max);
+    // Where a maximum's slopes end: at a rise again by a tenth of the highest, or below e^(-1/2) of it.
+    let slope = |from: usize, step: &dyn Fn(usize) -> Option<usize>| {
+        let (mut at, mut lowest) = (from, heights[from]);
+        while let Some(next) = step(at) {
+            if heights[next] > lowest + 0.1 * highest {
+                return None;
+            }
+            lowest = lowest.min(heights[next]);
+            at = next;
+            if heights[at] <= 0.607 * heights[from] {
+                break;
+            }
+        }
+        Some(at)
+    };
+    let up = |i: usize| (i < last).then_some(i + 1);
+    let down = |i: usize| i.checked_sub(1);
+    let is_top = |i: usize| {
+        let around = i.saturating_sub(1)..(i + 2).min(last + 1);
+        heights[i] > 0.05 * highest && around.clone().all(|j| heights[j] <= heights[i])
+    };
+    let mut found: Vec<(f64, Peak)> = Vec::new();
+    let bin = histogram.scalar.length() / heights.len() as f64;
+    let floor = (histogram.gradient.length() / 60.0).max(f64::MIN_POSITIVE);
+    for i in (0..=last).filter(|&i| is_top(i)) {
+        let ends = [slope(i, &down), slope(i, &up)];
+        let [Some(low), Some(high)] = ends else { continue };
+        let sigma = [(0.5 * bin * (high - low) as f64).max(bin), columns[i].deviation.max(floor)];
+        let center = [histogram.bin_center(i, 0)[0], columns[i].mean];
+        // Of a plateau, its first bin.
+        if found.last().is_none_or(|(_, peak)| center[0] - peak.center[0] > sigma[0]) {
+            found.push((heights[i], Peak { center, sigma }));
+        }
+    }
+    found.sort_by(|a, b| b.0.total_cmp(&a.0));
+    found.truncate(WIDGETS);
+    let mut peaks: Vec<Peak> = found.into_iter().map(|(_, peak)| peak).collect();
+    peaks.sort_by(|a, b| a.center[0].total_cmp(&b.center[0]));
+    peaks
+}
+
+/// Coloured, and as dense as their shares of the volume let them add the same optical depth.
+fn widgets(peaks: &[Peak], mesh: &(impl Domain + ?Sized), histogram: &JointHistogram) -> Vec<Widget> {
+    let depth_per_extinction = mean_path(mesh.bounds_in_data(), histogram.total());
+    let widget = |(peak, color): (&Peak, [f64; 3])| {
+        let coverage = peak.coverage(histogram).max(SMALLEST_COVERAGE);
+        let extinction = OPTICAL_DEPTH / peaks.len() as f64 / (depth_per_extinction * coverage);
+        extinction.is_finite().then(|| Widget::new(peak.shape(), color, extinction))
+    };
+    peaks.iter().zip(spread_colors(peaks)).filter_map(widget).collect()
 }
 
 /// Length of the mesh along a ray, averaged over all rays that meet its box: volume over mean projected area, which is
@@ -144,4 +246,56 @@ fn densest(left: &[([f64; 2], f64)], sigma: [f64; 2], histogram: &JointHistogram
 fn spread_colors(peaks: &[Peak]) -> Vec<[f64; 3]> {
     let last = peaks.len().saturating_sub(1).max(1);
     (0..peaks.len()).map(|i| PALETTE[i * (WIDGETS - 1) / last]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::space::Interval;
+
+    /// Two arches, between values 0 and 1 and between 1 and 3, and three materials at low gradients.
+    fn histogram() -> JointHistogram {
+        let bins = [300, 100];
+        let (scalar, gradient) = (Interval { min: 0.0, max: 3.0 }, Interval { min: 0.0, max: 10.0 });
+        let mut histogram = JointHistogram { bins, counts: vec![0.0; bins[0] * bins[1]], scalar, gradient };
+        for index in 0..histogram.counts.len() {
+            let [s, g] = histogram.bin_center(index % bins[0], index / bins[0]);
+            let arch = |low: f64, high: f64, top: f64| {
+                let share = (s - low) / (high - low);
+                let at = if (0.0..=1.0).contains(&share) { 4.0 * top * share * (1.0 - share) } else { return 0.0 };
+                (-((g - at) / 0.4).powi(2)).exp()
+            };
+            let material = |at: f64| 20.0 * (-((s - at) / 0.05).powi(2) - (g / 0.3).powi(2)).exp();
+            histogram.counts[index] =
+                arch(0.0, 1.0, 4.0) + arch(1.0, 3.0, 8.0) + material(0.1) + material(1.0) + material(2.9);
+        }
+        histogram
+    }
+
+    fn centers(widgets: &[Widget]) -> Vec<[f64; 2]> {
+        let center = |widget: &Widget| match widget.shape {
+            WidgetShape::Gaussian { center, .. } => center,
+            _ => panic!("a Gaussian"),
+        };
+        widgets.iter().map(center).collect()
+    }
+
+    #[test]
+    fn boundaries_are_the_tops_of_arches_and_materials_their_feet() {
+        let mesh = crate::tet::TetMesh::new(
+            crate::mesh::synth::Sample::Tangle.mesh(500),
+            &crate::tet::FieldChoice::default(),
+            crate::tet::HexSplit::Six,
+        );
+        let mesh = mesh.expect("a mesh").0;
+        let found = centers(&boundaries(&mesh, &histogram()));
+        assert_eq!(found.len(), 2, "{found:?}");
+        assert!((found[0][0] - 0.5).abs() < 0.05 && (found[1][0] - 2.0).abs() < 0.05, "{found:?}");
+        assert!((found[1][1] - 8.0).abs() < 0.5, "{found:?}");
+        let found = centers(&homogeneous_regions(&mesh, &histogram()));
+        assert_eq!(found.len(), 3, "{found:?}");
+        for (found, want) in found.iter().zip([0.1, 1.0, 2.9]) {
+            assert!((found[0] - want).abs() < 0.05 && found[1] < 1.0, "{found:?}");
+        }
+    }
 }

@@ -250,7 +250,7 @@ fn make(mesh: &Arc<TetMesh>, choice: Choice, scenery: &Scenery) -> Result<Ready>
     let Choice { device, method, integral, order } = choice;
     let settings = ChoiceArgs::of(method, order, integral).settings();
     let frame = subject::frame(&scenery.shot, scenery.subject.size);
-    let wish = Wish { device, settings, frame: &frame };
+    let wish = Wish { device, settings, frame: &frame, shared: None };
     let start = Instant::now();
     let chosen = device::renderer(mesh, &wish, &ProgressBar::hidden())?;
     let made = start.elapsed();

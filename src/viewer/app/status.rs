@@ -1,0 +1,67 @@
+//! What is being done, and what was said.
+
+use eframe::egui::{self, Ui};
+
+use super::App;
+
+impl App {
+    pub(super) fn status(&mut self, ui: &mut Ui) {
+        ui.horizontal(|ui| {
+            if let Some(loading) = &self.loading {
+                ui.spinner();
+                ui.label(format!("reading {}", loading.path.display()));
+                if ui.small_button("cancel").clicked() {
+                    self.loading = None;
+                    return;
+                }
+            }
+            if let Some(export) = &self.export {
+                let [done, total] = export.progress();
+                ui.add(egui::ProgressBar::new(done as f32 / total.max(1) as f32).desired_width(120.0));
+                ui.label(format!("writing, {done} of {total}"));
+                if ui.small_button("cancel").clicked() {
+                    export.cancel();
+                }
+            }
+            let Some(shown) = &self.shown else {
+                if self.sitting.is_some() {
+                    ui.spinner();
+                    ui.label("preparing");
+                }
+                return;
+            };
+            if !shown.is_last {
+                ui.spinner();
+            }
+            let state = match shown.step {
+                1 => "final".to_owned(),
+                step => format!("1/{step} of the pixels along a side"),
+            };
+            ui.label(format!("{:.0} ms, {state}", 1e3 * shown.seconds));
+            if let Some(compared) = &self.compared {
+                let text = format!("differ by {:.1e} at most, {:.1} dB", compared.max, compared.psnr);
+                ui.separator();
+                ui.label(text).on_hover_text("Linear channels, before a black background");
+            }
+            if let Some(note) = shown.notes.first() {
+                ui.separator();
+                ui.add(egui::Label::new(note).truncate()).on_hover_text(shown.notes.join("\n"));
+            }
+        });
+    }
+
+    pub(super) fn said(&mut self, ui: &mut Ui) {
+        let mut gone = None;
+        for (index, text) in self.messages.iter().enumerate() {
+            ui.horizontal(|ui| {
+                if ui.small_button("×").on_hover_text("Put it away").clicked() {
+                    gone = Some(index);
+                }
+                ui.add(egui::Label::new(text).wrap());
+            });
+        }
+        if let Some(index) = gone {
+            self.messages.remove(index);
+        }
+    }
+}

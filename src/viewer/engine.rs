@@ -1,0 +1,329 @@
+//! Pictures, made beside the window: the newest wish is rendered, coarse first while the camera moves.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use indicatif::ProgressBar;
+
+use crate::cli::args::{ChoiceArgs, Device, IntegralChoice, Method, Order};
+use crate::cli::device::{self, Chosen, Wish};
+use crate::error::Result;
+use crate::gpu::Gpu;
+use crate::image::Image;
+use crate::renderer::{Frame, Renderer, Settings, TOLERANCE, choose_integral};
+use crate::scene::{Camera, Optics, TransferFunction};
+use crate::tet::TetMesh;
+
+/// What a picture may take while the camera moves.
+const PATIENCE: Duration = Duration::from_millis(60);
+/// The coarsest pictures have a pixel for so many along a side.
+const COARSEST: u32 = 8;
+/// Software adapters keep what they drew with until the device goes.
+const FRAMES_OF_A_DEVICE: u32 = 64;
+
+/// How a picture is made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct How {
+    /// Where.
+    pub(crate) device: Device,
+    /// See `device`.
+    pub(crate) method: Method,
+    /// See `device`.
+    pub(crate) integral: IntegralChoice,
+    /// See `device`.
+    pub(crate) order: Order,
+    /// What a channel may err by, where something is chosen.
+    pub(crate) tolerance: f64,
+}
+
+impl Default for How {
+    fn default() -> Self {
+        let (method, integral, order) = (Method::Auto, IntegralChoice::Auto, Order::Auto);
+        Self { device: Device::Auto, method, integral, order, tolerance: TOLERANCE }
+    }
+}
+
+impl How {
+    /// The command line's words for it.
+    pub(crate) fn choices(self) -> ChoiceArgs {
+        ChoiceArgs { tolerance: self.tolerance, ..ChoiceArgs::of(self.method, self.order, self.integral) }
+    }
+
+    fn settings(self) -> Settings {
+        self.choices().settings()
+    }
+}
+
+/// One of the pictures that are shown together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Side {
+    /// Data units.
+    pub transfer: TransferFunction,
+    /// How it is made.
+    pub how: How,
+}
+
+/// What is to be seen.
+#[derive(Clone)]
+pub struct Wanted {
+    /// Of what.
+    pub mesh: Arc<TetMesh>,
+    /// One or two.
+    pub sides: Vec<Side>,
+    /// From where.
+    pub camera: Camera,
+    /// Emission, lighting, silhouettes.
+    pub optics: Optics,
+    /// Pixels.
+    pub size: [u32; 2],
+    /// Linear, premultiplied.
+    pub background: [f32; 4],
+    /// Coarse pictures do.
+    pub is_moving: bool,
+}
+
+impl PartialEq for Wanted {
+    fn eq(&self, other: &Self) -> bool {
+        let key = |w: &Self| (w.camera, w.optics, w.size, w.background, w.is_moving);
+        Arc::ptr_eq(&self.mesh, &other.mesh) && key(self) == key(other) && self.sides == other.sides
+    }
+}
+
+/// Pictures of a wish.
+#[derive(Clone, Debug)]
+pub struct Shown {
+    /// One a side, of equal sizes.
+    pub images: Vec<Image>,
+    /// Pixels of the wish along a side of one of these.
+    pub step: u32,
+    /// What one picture took, seconds.
+    pub seconds: f64,
+    /// How they were made.
+    pub notes: Vec<String>,
+    /// No better ones follow.
+    pub is_last: bool,
+}
+
+struct Slot {
+    wanted: Mutex<Option<Wanted>>,
+    changed: Condvar,
+    is_closed: AtomicBool,
+}
+
+/// The thread that renders.
+pub struct Engine {
+    slot: Arc<Slot>,
+    results: Receiver<Result<Shown>>,
+    last: Option<Wanted>,
+}
+
+impl Engine {
+    /// `shared`: the window's device, where pictures are made on it, too; `wake` is called for each result.
+    ///
+    /// # Errors
+    /// No thread can be made.
+    pub fn new(shared: Option<Gpu>, wake: impl Fn() + Send + 'static) -> Result<Self> {
+        let slot =
+            Arc::new(Slot { wanted: Mutex::new(None), changed: Condvar::new(), is_closed: AtomicBool::new(false) });
+        let (sender, results) = channel();
+        let taken = Arc::clone(&slot);
+        // Renderers do not go from thread to thread.
+        let work = move || {
+            let worker = Worker { slot: taken, sender, shared, ready: Vec::new(), seconds_per_pixel: 0.0 };
+            worker.run(&wake);
+        };
+        // One core is left to the window.
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        let pool = rayon::ThreadPoolBuilder::new().num_threads((cores - 1).max(1)).build();
+        let pool = pool.map_err(|e| crate::Error::Device(format!("no threads can be made to render on: {e}")))?;
+        std::thread::spawn(move || pool.install(work));
+        Ok(Self { slot, results, last: None })
+    }
+
+    /// Asks for pictures; those that were asked for before are given up.
+    pub fn want(&mut self, wanted: Wanted) {
+        if self.last.as_ref() == Some(&wanted) {
+            return;
+        }
+        self.last = Some(wanted.clone());
+        *self.slot.wanted.lock().unwrap_or_else(PoisonError::into_inner) = Some(wanted);
+        self.slot.changed.notify_one();
+    }
+
+    /// What has come since the last call.
+    pub fn results(&self) -> impl Iterator<Item = Result<Shown>> + '_ {
+        self.results.try_iter()
+    }
+}
+
+impl Drop for Engine {
+    fn drop(&mut self) {
+        self.slot.is_closed.store(true, Ordering::Relaxed);
+        self.slot.changed.notify_one();
+    }
+}
+
+/// A renderer that is kept, and for what.
+struct Ready {
+    mesh: Arc<TetMesh>,
+    how: How,
+    side: usize,
+    renderer: Box<dyn Renderer>,
+    /// Its method was.
+    is_chosen: bool,
+    is_reference: bool,
+    notes: Vec<String>,
+    /// The function that the method was chosen for.
+    chosen_for: TransferFunction,
+    /// The function that the integral was chosen for, if it was.
+    integral_for: Option<TransferFunction>,
+    integral_note: String,
+    frames: u32,
+}
+
+struct Worker {
+    slot: Arc<Slot>,
+    sender: Sender<Result<Shown>>,
+    shared: Option<Gpu>,
+    ready: Vec<Ready>,
+    seconds_per_pixel: f64,
+}
+
+impl Worker {
+    fn run(mut self, wake: &dyn Fn()) {
+        while let Some(wanted) = self.next() {
+            for step in self.steps(&wanted) {
+                if self.is_superseded() {
+                    break;
+                }
+                let result = self.render(&wanted, step);
+                let has_failed = result.is_err();
+                if has_failed {
+                    // A lost device is opened again the next time.
+                    self.ready.clear();
+                }
+                if self.sender.send(result).is_err() {
+                    return;
+                }
+                wake();
+                if has_failed {
+                    break;
+                }
+            }
+        }
+    }
+
+    fn next(&self) -> Option<Wanted> {
+        let mut wanted = self.slot.wanted.lock().unwrap_or_else(PoisonError::into_inner);
+        loop {
+            if self.slot.is_closed.load(Ordering::Relaxed) {
+                return None;
+            }
+            if let Some(wanted) = wanted.take() {
+                return Some(wanted);
+            }
+            wanted = self.slot.changed.wait(wanted).unwrap_or_else(PoisonError::into_inner);
+        }
+    }
+
+    fn is_superseded(&self) -> bool {
+        let wanted = self.slot.wanted.lock().unwrap_or_else(PoisonError::into_inner);
+        wanted.is_some() || self.slot.is_closed.load(Ordering::Relaxed)
+    }
+
+    /// Pixels along a side of a picture's: coarse ones as fast as a camera moves, then all of them.
+    fn steps(&self, wanted: &Wanted) -> Vec<u32> {
+        let pixels = f64::from(wanted.size[0]) * f64::from(wanted.size[1]) * wanted.sides.len() as f64;
+        let share = self.seconds_per_pixel * pixels / PATIENCE.as_secs_f64();
+        let coarse = (share.sqrt().ceil().max(1.0) as u32).next_power_of_two().min(COARSEST);
+        match (wanted.is_moving, coarse) {
+            (true, _) => vec![coarse],
+            (false, 1) => vec![1],
+            (false, _) => vec![coarse, 1],
+        }
+    }
+
+    fn render(&mut self, wanted: &Wanted, step: u32) -> Result<Shown> {
+        self.ready.retain(|ready| Arc::ptr_eq(&ready.mesh, &wanted.mesh) && ready.side < wanted.sides.len());
+        let size = wanted.size.map(|n| n.div_ceil(step).max(1));
+        let start = Instant::now();
+        let (mut images, mut notes) = (Vec::new(), Vec::new());
+        for (number, side) in wanted.sides.iter().enumerate() {
+            let frame = Frame {
+                camera: &wanted.camera,
+                transfer: &side.transfer,
+                optics: &wanted.optics,
+                size,
+                background: wanted.background,
+            };
+            let ready = self.ready(wanted, number, side, &frame)?;
+            let rendered = ready.renderer.render(&frame, false)?;
+            ready.frames += 1;
+            images.push(rendered.image);
+            let mut of_side = ready.notes.clone();
+            of_side.extend(Some(ready.integral_note.clone()).filter(|note| !note.is_empty()));
+            of_side.extend(rendered.stats.notes);
+            of_side.push(format!("on {}", rendered.stats.adapter));
+            notes.push(of_side.join("; "));
+        }
+        let seconds = start.elapsed().as_secs_f64() / wanted.sides.len() as f64;
+        // What a renderer takes to be made does not tell how long frames take.
+        if self.ready.iter().all(|ready| ready.frames > 1) {
+            let pixels = f64::from(size[0]) * f64::from(size[1]);
+            self.seconds_per_pixel = seconds / pixels;
+        }
+        Ok(Shown { images, step, seconds, notes, is_last: step == 1 })
+    }
+
+    fn ready(&mut self, wanted: &Wanted, number: usize, side: &Side, frame: &Frame<'_>) -> Result<&mut Ready> {
+        let is_fit = |ready: &Ready| {
+            // Whether cells or rays are cheaper depends on the function where software rasterises.
+            let is_chosen = ready.is_chosen && side.how.device == Device::Software && !wanted.is_moving;
+            let is_worn = side.how.device == Device::Software && ready.frames >= FRAMES_OF_A_DEVICE;
+            ready.how == side.how && !is_worn && !(is_chosen && ready.chosen_for != side.transfer)
+        };
+        if let Some(at) = self.ready.iter().position(|ready| ready.side == number)
+            && !is_fit(&self.ready[at])
+        {
+            self.ready.remove(at);
+        }
+        let at = match self.ready.iter().position(|ready| ready.side == number) {
+            Some(at) => at,
+            None => {
+                self.ready.push(self.make(wanted, number, side, frame)?);
+                self.ready.len() - 1
+            }
+        };
+        let ready = &mut self.ready[at];
+        let chooses = side.how.integral == IntegralChoice::Auto && !ready.is_reference;
+        let is_new = ready.integral_for.as_ref() != Some(&side.transfer);
+        // While the function is being changed, the last choice does.
+        if chooses && is_new && (!wanted.is_moving || ready.integral_for.is_none()) {
+            let chosen = choose_integral(&mut *ready.renderer, frame, side.how.tolerance)?;
+            ready.integral_for = Some(side.transfer.clone());
+            ready.integral_note = format!("{}: {}", chosen.integral, chosen.why);
+        }
+        Ok(ready)
+    }
+
+    fn make(&self, wanted: &Wanted, number: usize, side: &Side, frame: &Frame<'_>) -> Result<Ready> {
+        let wish = Wish { device: side.how.device, settings: side.how.settings(), frame, shared: self.shared.as_ref() };
+        let Chosen { renderer, note, why, is_reference } =
+            device::renderer(&wanted.mesh, &wish, &ProgressBar::hidden())?;
+        Ok(Ready {
+            mesh: Arc::clone(&wanted.mesh),
+            how: side.how,
+            side: number,
+            renderer,
+            is_chosen: why.is_some(),
+            is_reference,
+            notes: note.into_iter().chain(why).collect(),
+            chosen_for: side.transfer.clone(),
+            integral_for: None,
+            integral_note: String::new(),
+            frames: 0,
+        })
+    }
+}

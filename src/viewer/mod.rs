@@ -1,0 +1,74 @@
+//! The window: a picture, and the function that makes it, drawn on the joint histogram.
+//!
+//! `app` holds what is open and asks `engine` for pictures, which are made by a thread of their own: nothing here waits for
+//! one. `editor` and `curve` draw the two kinds of functions; what a pull on a handle does is in `handles`, what is
+//! edited in `look`, undo in `history`: none of these three knows a window.
+
+mod app;
+mod canvas;
+mod curve;
+mod editor;
+mod engine;
+mod files;
+mod handles;
+mod history;
+mod look;
+mod opened;
+mod panels;
+mod path;
+mod plot;
+mod screen;
+
+use std::ffi::OsString;
+
+use eframe::egui_wgpu::{WgpuConfiguration, WgpuSetup, WgpuSetupExisting};
+
+pub use app::{App, Compare, Start};
+pub use engine::How;
+pub use look::{Kind, Look};
+
+use crate::cli;
+use crate::cli::args::{IntegralChoice, ViewArgs};
+use crate::error::Error;
+use crate::gpu::{DeviceChoice, Gpu};
+
+/// Does what the arguments (the program's name first) ask, as [`cli::main`] does, and opens the window where they say so.
+pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    cli::main_with(arguments, open)
+}
+
+/// What the command line asked for.
+fn start(args: &ViewArgs) -> Start {
+    let choices = args.choices;
+    let how = How {
+        device: args.device,
+        method: choices.method,
+        // What is still is made again and again: the cheapest that holds the tolerance.
+        integral: if choices.integral == IntegralChoice::default() { IntegralChoice::Auto } else { choices.integral },
+        order: choices.order,
+        tolerance: choices.tolerance,
+    };
+    Start { mesh: args.mesh.clone(), field: args.field.clone(), scene: args.scene.clone(), how }
+}
+
+fn open(args: &ViewArgs) -> anyhow::Result<()> {
+    let gpu = Gpu::new(DeviceChoice::Any)?;
+    // A still on a software adapter would hold the window up: there pictures get a device of their own, or the CPU engine.
+    let shared = (!gpu.is_software()).then(|| gpu.clone());
+    let (instance, adapter, device, queue) = gpu.parts();
+    let wgpu_setup = WgpuSetup::Existing(WgpuSetupExisting { instance, adapter, device, queue });
+    let options = eframe::NativeOptions {
+        viewport: eframe::egui::ViewportBuilder::default()
+            .with_title("tetralux")
+            .with_inner_size([1280.0, 800.0])
+            .with_min_inner_size([800.0, 500.0])
+            .with_drag_and_drop(true),
+        wgpu_options: WgpuConfiguration { wgpu_setup, ..Default::default() },
+        ..Default::default()
+    };
+    let start = start(args);
+    let make: eframe::AppCreator<'_> =
+        Box::new(move |context| Ok(Box::new(App::new(&context.egui_ctx, start, shared)?)));
+    eframe::run_native("tetralux", options, make)
+        .map_err(|e| Error::Device(format!("the window cannot be opened: {e}")).into())
+}
