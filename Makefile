@@ -17,8 +17,8 @@ test:
 	@sh scripts/vulkan-driver.sh
 	cargo test --doc
 	@if cargo nextest --version >/dev/null 2>&1; then \
-		cargo nextest run $(if $(filter none,$(TETRALUX_GPU)),-E 'not binary(/^gpu_/)'); \
+		cargo nextest run --features viewer-test $(if $(filter none,$(TETRALUX_GPU)),-E 'not binary(/^gpu_/)'); \
 	else \
-		cargo test --no-fail-fast --lib --bins --examples \
+		cargo test --features viewer-test --no-fail-fast --lib --bins --examples \
 			$(if $(filter none,$(TETRALUX_GPU)),$(patsubst %,--test %,$(HOST_TESTS)),--tests); \
 	fi

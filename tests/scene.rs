@@ -1,10 +1,12 @@
 //! Scene files as users write them: what is read, what flags change, and how mistakes are named.
 
+use tetralux::mesh::synth::Sample;
 use tetralux::scene::{
     EmissionModel, LightSpace, Optics, Override, Scene, SilhouetteMode, SinusoidVariant, TransferFunction, Units,
-    Viewpoint, Widget, WidgetShape, Window,
+    Viewpoint, Widget, WidgetShape, Window, boundaries, homogeneous_regions,
 };
 use tetralux::space::Interval;
+use tetralux::tet::{FieldChoice, HexSplit, JointHistogram, TetMesh};
 
 const GAUSSIAN: &str = "[[transfer.widget]]\nshape = \"gaussian\"\ncenter = [1, 2]\nsigma = [0.5, 1]\nangle = 90\n\
                         color = \"#ff8000\"\nextinction = 3\nscalar_range = [0, 2]\n";
@@ -285,4 +287,44 @@ fn optics_are_read_and_have_defaults() {
     assert_eq!(optics.lighting.unwrap().direction, glam::DVec3::Z);
     assert_eq!((optics.silhouette.unwrap().exponent, optics.silhouette.unwrap().mode), (4.0, SilhouetteMode::Opacity));
     assert!(Scene::parse("[lighting]\n", &[]).unwrap().optics.lighting.is_some());
+}
+
+/// Two arches, between values 0 and 1 and between 1 and 3, and three materials at low gradients.
+fn arches() -> JointHistogram {
+    let bins = [300, 100];
+    let (scalar, gradient) = (Interval { min: 0.0, max: 3.0 }, Interval { min: 0.0, max: 10.0 });
+    let mut histogram = JointHistogram { bins, counts: vec![0.0; bins[0] * bins[1]], scalar, gradient };
+    for index in 0..histogram.counts.len() {
+        let [s, g] = histogram.bin_center(index % bins[0], index / bins[0]);
+        let arch = |low: f64, high: f64, top: f64| {
+            let share = (s - low) / (high - low);
+            let at = 4.0 * top * share * (1.0 - share);
+            if (0.0..=1.0).contains(&share) { (-((g - at) / 0.4).powi(2)).exp() } else { 0.0 }
+        };
+        let material = |at: f64| 20.0 * (-((s - at) / 0.05).powi(2) - (g / 0.3).powi(2)).exp();
+        histogram.counts[index] =
+            arch(0.0, 1.0, 4.0) + arch(1.0, 3.0, 8.0) + material(0.1) + material(1.0) + material(2.9);
+    }
+    histogram
+}
+
+#[test]
+fn boundaries_are_the_tops_of_arches_and_materials_their_feet() {
+    let (mesh, _) = TetMesh::new(Sample::Tangle.mesh(500), &FieldChoice::default(), HexSplit::Six).unwrap();
+    let centers = |widgets: &[Widget]| -> Vec<[f64; 2]> {
+        let center = |widget: &Widget| match widget.shape {
+            WidgetShape::Gaussian { center, .. } => center,
+            _ => panic!("a Gaussian"),
+        };
+        widgets.iter().map(center).collect()
+    };
+    let found = centers(&boundaries(&mesh, &arches()));
+    assert_eq!(found.len(), 2, "{found:?}");
+    assert!((found[0][0] - 0.5).abs() < 0.05 && (found[1][0] - 2.0).abs() < 0.05, "{found:?}");
+    assert!((found[1][1] - 8.0).abs() < 0.5, "{found:?}");
+    let found = centers(&homogeneous_regions(&mesh, &arches()));
+    assert_eq!(found.len(), 3, "{found:?}");
+    for (found, want) in found.iter().zip([0.1, 1.0, 2.9]) {
+        assert!((found[0] - want).abs() < 0.05 && found[1] < 1.0, "{found:?}");
+    }
 }

@@ -10,7 +10,7 @@ use super::look::{Item, Look};
 use super::opened::Opened;
 use super::plot;
 use crate::image::srgb_from_linear;
-use crate::scene::{SinusoidVariant, Widget, WidgetShape};
+use crate::scene::{MAX_WIDGETS, SinusoidVariant, Widget, WidgetShape};
 use crate::tet::Domain as _;
 
 /// How near a handle is taken hold of, points.
@@ -227,6 +227,8 @@ impl Editor {
                 Some(Hold::Widget(index, grip))
             }
             Tool::Brush => Some(Hold::Brush(from)),
+            // A scene holds no more.
+            _ if look.items.len() >= MAX_WIDGETS => None,
             tool => {
                 let width = [0, 1].map(|axis| SHARE * (shown[axis][1] - shown[axis][0]));
                 let index = look.add(tool.shape(from, width)?, opened.mesh.bounds_in_data().diagonal());

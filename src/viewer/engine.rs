@@ -107,7 +107,8 @@ pub struct Shown {
 }
 
 struct Slot {
-    wanted: Mutex<Option<Wanted>>,
+    /// With its number.
+    wanted: Mutex<Option<(u64, Wanted)>>,
     changed: Condvar,
     is_closed: AtomicBool,
 }
@@ -115,8 +116,10 @@ struct Slot {
 /// The thread that renders.
 pub struct Engine {
     slot: Arc<Slot>,
-    results: Receiver<Result<Shown>>,
+    results: Receiver<(u64, Result<Shown>)>,
     last: Option<Wanted>,
+    /// The last wish's number.
+    asked: u64,
 }
 
 impl Engine {
@@ -139,22 +142,24 @@ impl Engine {
         let pool = rayon::ThreadPoolBuilder::new().num_threads((cores - 1).max(1)).build();
         let pool = pool.map_err(|e| crate::Error::Device(format!("no threads can be made to render on: {e}")))?;
         std::thread::spawn(move || pool.install(work));
-        Ok(Self { slot, results, last: None })
+        Ok(Self { slot, results, last: None, asked: 0 })
     }
 
-    /// Asks for pictures; those that were asked for before are given up.
-    pub fn want(&mut self, wanted: Wanted) {
+    /// Asks for pictures; those that were asked for before are given up. Whether they are others.
+    pub fn want(&mut self, wanted: Wanted) -> bool {
         if self.last.as_ref() == Some(&wanted) {
-            return;
+            return false;
         }
         self.last = Some(wanted.clone());
-        *self.slot.wanted.lock().unwrap_or_else(PoisonError::into_inner) = Some(wanted);
+        self.asked += 1;
+        *self.slot.wanted.lock().unwrap_or_else(PoisonError::into_inner) = Some((self.asked, wanted));
         self.slot.changed.notify_one();
+        true
     }
 
-    /// What has come since the last call.
-    pub fn results(&self) -> impl Iterator<Item = Result<Shown>> + '_ {
-        self.results.try_iter()
+    /// What has come since the last call, and whether it is of the last wish.
+    pub fn results(&self) -> impl Iterator<Item = (bool, Result<Shown>)> + '_ {
+        self.results.try_iter().map(|(number, result)| (number == self.asked, result))
     }
 }
 
@@ -185,7 +190,7 @@ struct Ready {
 
 struct Worker {
     slot: Arc<Slot>,
-    sender: Sender<Result<Shown>>,
+    sender: Sender<(u64, Result<Shown>)>,
     shared: Option<Gpu>,
     ready: Vec<Ready>,
     seconds_per_pixel: f64,
@@ -193,7 +198,7 @@ struct Worker {
 
 impl Worker {
     fn run(mut self, wake: &dyn Fn()) {
-        while let Some(wanted) = self.next() {
+        while let Some((number, wanted)) = self.next() {
             for step in self.steps(&wanted) {
                 if self.is_superseded() {
                     break;
@@ -204,7 +209,7 @@ impl Worker {
                     // A lost device is opened again the next time.
                     self.ready.clear();
                 }
-                if self.sender.send(result).is_err() {
+                if self.sender.send((number, result)).is_err() {
                     return;
                 }
                 wake();
@@ -215,7 +220,7 @@ impl Worker {
         }
     }
 
-    fn next(&self) -> Option<Wanted> {
+    fn next(&self) -> Option<(u64, Wanted)> {
         let mut wanted = self.slot.wanted.lock().unwrap_or_else(PoisonError::into_inner);
         loop {
             if self.slot.is_closed.load(Ordering::Relaxed) {

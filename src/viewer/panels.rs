@@ -11,7 +11,7 @@ use super::screen::Backdrop;
 use crate::cli::args::{Device, IntegralChoice, Method, Order, name_of};
 use crate::renderer::{LEAST_TOLERANCE, SegmentIntegral};
 use crate::scene::{
-    EmissionModel, LightSpace, Lighting, Silhouette, SilhouetteMode, SinusoidVariant, Widget, WidgetShape,
+    EmissionModel, LightSpace, Lighting, MAX_WIDGETS, Silhouette, SilhouetteMode, SinusoidVariant, Widget, WidgetShape,
 };
 use crate::space::Interval;
 
@@ -86,6 +86,7 @@ pub enum Todo {
 pub fn apply(todo: Todo, editor: &mut Editor, look: &mut Look) {
     match todo {
         Todo::Solo(index) => look.solo = (look.solo != Some(index)).then_some(index),
+        Todo::Copy(_) if look.items.len() >= MAX_WIDGETS => {}
         Todo::Copy(index) => {
             let copy = look.items[index].clone();
             look.items.insert(index + 1, copy);

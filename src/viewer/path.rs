@@ -5,9 +5,6 @@ use rayon::prelude::*;
 use crate::scene::Camera;
 use crate::tet::{TetId, TetMesh};
 
-/// More cells than this are not walked while a pointer hovers.
-pub const MOST_CELLS: usize = 2_000_000;
-
 /// (scalar, gradient magnitude) where the ray through `pixel` (of a picture of `size`) enters and leaves cells, near ones
 /// first.
 pub fn along(mesh: &TetMesh, camera: &Camera, size: [u32; 2], pixel: [f64; 2]) -> Vec<[f64; 2]> {

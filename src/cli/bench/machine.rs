@@ -44,9 +44,44 @@ pub(super) fn used() -> Option<(Duration, u64)> {
     use nix::sys::time::TimeValLike as _;
     let usage = getrusage(UsageWho::RUSAGE_SELF).ok()?;
     let micros = (usage.user_time() + usage.system_time()).num_microseconds();
-    // Linux counts KiB, macOS bytes.
+    Some((Duration::from_micros(micros.try_into().ok()?), most_held(usage.max_rss())?))
+}
+
+/// Linux goes on counting where one program takes another one's place, but for this.
+#[cfg(target_os = "linux")]
+fn most_held(_: i64) -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    Some(1024 * line.trim().trim_end_matches("kB").trim().parse::<u64>().ok()?)
+}
+
+/// macOS counts bytes, others KiB.
+#[cfg(all(unix, not(target_os = "linux")))]
+fn most_held(counted: i64) -> Option<u64> {
     let unit = if cfg!(target_os = "macos") { 1 } else { 1024 };
-    Some((Duration::from_micros(micros.try_into().ok()?), u64::try_from(usage.max_rss()).ok()? * unit))
+    Some(u64::try_from(counted).ok()? * unit)
+}
+
+/// Goes on with the same command in a process of its own where this one has come to hold half of the memory: lavapipe
+/// keeps most of what it drew with until the process ends, whatever becomes of its devices.
+///
+/// # Errors
+/// The program cannot be started again.
+#[cfg(target_os = "linux")]
+pub(super) fn go_on_afresh(machine: &Machine) -> std::io::Result<()> {
+    use std::os::unix::process::CommandExt as _;
+    let held = used().map_or(0, |(_, bytes)| bytes);
+    // Of a source with changes all would be measured again.
+    if held < machine.memory_bytes / 2 || machine.memory_bytes == 0 || machine.commit.ends_with("-dirty") {
+        return Ok(());
+    }
+    Err(Command::new(std::env::current_exe()?).args(std::env::args_os().skip(1)).exec())
+}
+
+/// Other systems have no lavapipe.
+#[cfg(not(target_os = "linux"))]
+pub(super) fn go_on_afresh(_: &Machine) -> std::io::Result<()> {
+    Ok(())
 }
 
 /// Nothing that is known here.

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use indicatif::ProgressBar;
 
 use super::args::{ReportArgs, RunArgs};
-use super::machine::{this_machine, used};
+use super::machine::{go_on_afresh, this_machine, used};
 use super::plan::{Choice, Plan, Shot, shot};
 use super::strips::picture_name;
 use super::{peers, subject};
@@ -189,7 +189,7 @@ impl Run<'_> {
             let measured = made.and_then(|mut made| {
                 let frame = subject::frame(&scenery.shot, scenery.subject.size);
                 let measured = made.measure(choice, &frame, self.plan.repeats, &scenery.truth)?;
-                // Software adapters keep what they drew with until the device goes. What is chosen is chosen for a scene.
+                // Software adapters keep some of what they drew with until the device goes. What is chosen is chosen for a scene.
                 ready = (choice.device != Device::Software && choice.method != Method::Auto).then_some(made);
                 Ok(measured)
             });
@@ -201,8 +201,12 @@ impl Run<'_> {
                 // What cannot be done is a result, too.
                 Err(error) => (None, Some(error.to_string())),
             };
-            let (subject, by, machine) = (scenery.subject.clone(), by.clone(), machine.clone());
-            self.file.add(Record { subject, by, machine, result, refused })?;
+            let (subject, by) = (scenery.subject.clone(), by.clone());
+            self.file.add(Record { subject, by, machine: machine.clone(), result, refused })?;
+            if choice.device == Device::Software {
+                go_on_afresh(&machine)
+                    .map_err(|e| Error::Device(format!("the run cannot go on in a new process: {e}")))?;
+            }
         }
         Ok(())
     }

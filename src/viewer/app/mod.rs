@@ -4,9 +4,13 @@ mod documents;
 mod keys;
 mod menus;
 mod status;
+#[cfg(all(test, feature = "viewer-test"))]
+mod tests;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::mpsc::{Receiver, channel};
+use std::time::Duration;
 
 use eframe::egui::{self, Context, Panel, Ui};
 
@@ -79,9 +83,13 @@ pub struct App {
     backdrop: Backdrop,
     pictures: Vec<Image>,
     shown: Option<Shown>,
+    /// What is shown is the last that was wanted.
+    is_answered: bool,
     compared: Option<Comparison>,
+    /// Values along the ray under the pointer.
     path: Vec<[f64; 2]>,
     path_of: Option<([f64; 2], Camera)>,
+    following: Option<Receiver<Vec<[f64; 2]>>>,
     loading: Option<Loading>,
     /// What is taken once a mesh is there.
     scene_file: Option<PathBuf>,
@@ -111,9 +119,11 @@ impl App {
             backdrop: Backdrop::Plain,
             pictures: Vec::new(),
             shown: None,
+            is_answered: false,
             compared: None,
             path: Vec::new(),
             path_of: None,
+            following: None,
             loading: None,
             scene_file: start.scene,
             export: None,
@@ -132,8 +142,7 @@ impl App {
 
     /// Whether nothing is being done beside the window.
     pub fn is_idle(&self) -> bool {
-        let is_drawn = self.sitting.is_none() || self.shown.as_ref().is_some_and(|shown| shown.is_last);
-        self.loading.is_none() && self.export.is_none() && is_drawn
+        self.loading.is_none() && self.export.is_none() && (self.sitting.is_none() || self.is_answered)
     }
 
     /// What is edited.
@@ -151,8 +160,12 @@ impl App {
         self.loading = Some(Loading::start(mesh, field, move || again.request_repaint()));
     }
 
+    /// Once, however often it is so.
     fn say(&mut self, text: impl Into<String>) {
-        self.messages.push(text.into());
+        let text = text.into();
+        if self.messages.last() != Some(&text) {
+            self.messages.push(text);
+        }
     }
 
     /// What has come to an end beside the window.
@@ -165,15 +178,16 @@ impl App {
             }
         }
         let results: Vec<_> = self.engine.results().collect();
-        for result in results {
+        for (is_of_last, result) in results {
             match result {
-                Ok(shown) => self.show(ctx, shown),
+                Ok(shown) => {
+                    self.is_answered = is_of_last && shown.is_last;
+                    self.show(ctx, shown);
+                }
+                // What there was stays; nothing better comes until something changes.
                 Err(error) => {
+                    self.is_answered = is_of_last;
                     self.say(error.to_string());
-                    // What there was stays; nothing better comes until something changes.
-                    if let Some(shown) = &mut self.shown {
-                        shown.is_last = true;
-                    }
                 }
             }
         }
@@ -190,7 +204,7 @@ impl App {
         }
     }
 
-    /// Looks at another mesh; its own field and file keep what was edited.
+    /// Looks at another mesh; another field of the same file is seen from where the last one was.
     fn sit_down(&mut self, opened: Opened) {
         for note in &opened.notes {
             self.messages.push(note.clone());
@@ -205,7 +219,7 @@ impl App {
         self.sitting = Some(Sitting { opened, look, history, camera, file: None });
         self.editor.reset();
         self.canvas.clear();
-        self.shown = None;
+        (self.shown, self.is_answered) = (None, false);
         if let Some(scene) = self.scene_file.take() {
             self.take_scene(&scene);
         }
@@ -278,7 +292,7 @@ impl App {
             background: [0.0; 4],
             is_moving: self.canvas.is_moving || self.editor.is_busy() || self.curve.is_busy(),
         };
-        self.engine.want(wanted);
+        self.is_answered &= !self.engine.want(wanted);
     }
 
     fn undo(&mut self, by: fn(&mut History<Look>) -> Option<&Look>) {
@@ -350,21 +364,38 @@ impl App {
         }
     }
 
-    /// Marks the ray of a pixel on the histogram.
-    fn follow(&mut self) {
-        let Some(sitting) = &self.sitting else { return };
-        let Some(pixel) = self.canvas.hovered.filter(|_| sitting.opened.mesh.tets.len() <= path::MOST_CELLS) else {
-            if self.path_of.take().is_some() {
-                self.path.clear();
-            }
-            return;
-        };
-        if self.path_of != Some((pixel, sitting.camera)) {
-            self.path_of = Some((pixel, sitting.camera));
-            self.path = path::along(&sitting.opened.mesh, &sitting.camera, self.canvas.size, pixel);
+    /// Marks the ray of a pixel on the histogram, once the pointer rests.
+    fn follow(&mut self, ctx: &Context) {
+        if let Some(path) = self.following.as_ref().and_then(|path| path.try_recv().ok()) {
+            (self.path, self.following) = (path, None);
         }
+        let Some(sitting) = &self.sitting else { return };
+        let now = self.canvas.hovered.map(|pixel| (pixel, sitting.camera));
+        if now == self.path_of {
+            return;
+        }
+        let is_resting = ctx.input(|i| i.pointer.time_since_last_movement() >= REST.as_secs_f32());
+        if now.is_some() && !is_resting {
+            ctx.request_repaint_after(REST);
+            return;
+        }
+        (self.path_of, self.following) = (now, None);
+        self.path.clear();
+        let Some((pixel, camera)) = now else { return };
+        let (mesh, size) = (Arc::clone(&sitting.opened.mesh), self.canvas.size);
+        let (sender, receiver) = channel();
+        let again = ctx.clone();
+        std::thread::spawn(move || {
+            // The pointer may have gone on.
+            let _ = sender.send(path::along(&mesh, &camera, size, pixel));
+            again.request_repaint();
+        });
+        self.following = Some(receiver);
     }
 }
+
+/// The pointer rests when it has not moved for so long.
+const REST: Duration = Duration::from_millis(120);
 
 /// Differences are shown so many times as bright.
 const DIFFERENCE_TIMES: f32 = 16.0;
@@ -379,9 +410,6 @@ impl eframe::App for App {
         self.keys(&ctx);
         Panel::top("menus").show(ui, |ui| self.menus(ui));
         Panel::bottom("status").show(ui, |ui| self.status(ui));
-        if !self.messages.is_empty() {
-            Panel::bottom("messages").show(ui, |ui| self.said(ui));
-        }
         Panel::right("function").resizable(true).default_size(430.0).size_range(320.0..=900.0).show(ui, |ui| {
             self.side_panel(ui);
         });
@@ -392,6 +420,11 @@ impl eframe::App for App {
                 self.canvas.ui(ui, &mut sitting.camera, &bounds, names);
             }
         });
+        if !self.messages.is_empty() {
+            // Over the picture, whose size stays.
+            let area = egui::Area::new(egui::Id::unique("messages")).anchor(egui::Align2::LEFT_BOTTOM, [84.0, -34.0]);
+            area.show(&ctx, |ui| egui::Frame::popup(ui.style()).show(ui, |ui| self.said(ui)));
+        }
         if let Some(mut dialog) = self.dialog.take() {
             match dialog.ui(&ctx) {
                 Some(Answer::Done) => self.answered(&ctx, &dialog),
@@ -402,12 +435,16 @@ impl eframe::App for App {
         if self.has_help {
             keys::help(&ctx, &mut self.has_help);
         }
-        self.follow();
+        self.follow(&ctx);
         let is_settled = !ctx.input(|i| i.pointer.any_down()) && !self.editor.is_busy();
         if let Some(sitting) = &mut self.sitting {
             sitting.history.observe(&sitting.look, is_settled);
         }
         self.want();
+        if self.canvas.is_moving {
+            // When it moves no more, the picture is made in full.
+            ctx.request_repaint();
+        }
     }
 }
 

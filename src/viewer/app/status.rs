@@ -8,8 +8,7 @@ impl App {
     pub(super) fn status(&mut self, ui: &mut Ui) {
         ui.horizontal(|ui| {
             if let Some(loading) = &self.loading {
-                ui.spinner();
-                ui.label(format!("reading {}", loading.path.display()));
+                ui.label(format!("reading {} …", loading.path.display()));
                 if ui.small_button("cancel").clicked() {
                     self.loading = None;
                     return;
@@ -25,15 +24,13 @@ impl App {
             }
             let Some(shown) = &self.shown else {
                 if self.sitting.is_some() {
-                    ui.spinner();
-                    ui.label("preparing");
+                    ui.label("preparing …");
                 }
                 return;
             };
-            if !shown.is_last {
-                ui.spinner();
-            }
+            // Nothing here turns: drawing the window takes what pictures are made with.
             let state = match shown.step {
+                _ if !self.is_answered => "a better one is being made …".to_owned(),
                 1 => "final".to_owned(),
                 step => format!("1/{step} of the pixels along a side"),
             };
@@ -57,6 +54,7 @@ impl App {
                 if ui.small_button("×").on_hover_text("Put it away").clicked() {
                     gone = Some(index);
                 }
+                ui.set_max_width(600.0);
                 ui.add(egui::Label::new(text).wrap());
             });
         }
