@@ -14,7 +14,7 @@ demo:
 # Documentation tests first, so that the last summary is that of the large part. TETRALUX_GPU=none leaves out the tests
 # that render on a graphics device, whose names begin with gpu_.
 test:
-	@sh scripts/vulkan-driver.sh
+	@sh scripts/test-needs.sh
 	cargo test --doc
 	@if cargo nextest --version >/dev/null 2>&1; then \
 		cargo nextest run --features viewer-test $(if $(filter none,$(TETRALUX_GPU)),-E 'not binary(/^gpu_/)'); \

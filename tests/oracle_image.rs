@@ -223,10 +223,31 @@ fn silhouettes_are_sensitive_and_insides_are_not() {
 fn progress_reaches_the_end() {
     let heard = Arc::new(std::sync::Mutex::new(Vec::new()));
     let listener = Arc::clone(&heard);
-    let oracle = Oracle::new(Arc::new(box_mesh(1, MIN, MAX, |_| [0.0; 2])))
-        .with_progress(Box::new(move |fraction| listener.lock().expect("no panic").push(fraction)));
+    let oracle = Oracle::new(Arc::new(box_mesh(1, MIN, MAX, |_| [0.0; 2]))).with_progress(Box::new(move |fraction| {
+        listener.lock().expect("no panic").push(fraction);
+        true
+    }));
     let (camera, transfer) = (cameras()[0], uniform(1.0));
     oracle.image(&frame(&camera, &transfer)).expect("a picture");
     let heard = heard.lock().expect("no panic");
     assert_eq!((heard.len(), heard.iter().copied().fold(0.0, f64::max)), (6, 1.0), "3 x 2 tiles");
+}
+
+#[test]
+fn a_part_is_that_of_the_picture_and_can_be_given_up() {
+    let mesh = Arc::new(box_mesh(1, MIN, MAX, |_| [0.0; 2]));
+    let (camera, transfer) = (cameras()[0], uniform(1.0));
+    let frame = frame(&camera, &transfer);
+    let oracle = Oracle::new(Arc::clone(&mesh));
+    let all = oracle.image(&frame).expect("a picture");
+    let part = oracle.part(&frame, [20, 7, 41, 33]).expect("a part");
+    assert_eq!([part.width, part.height], [21, 26]);
+    let row = |y: usize| &all.pixels[(7 + y) * all.width as usize + 20..][..21];
+    assert!((0..26).all(|y| part.pixels[21 * y..][..21] == *row(y)));
+    assert!(part.pixels.iter().any(|p| p[3] > 0.0) && part.pixels != all.pixels[..part.pixels.len()]);
+    for area in [[5, 5, 5, 9], [0, 0, frame.size[0] + 1, 1]] {
+        assert!(oracle.part(&frame, area).is_err(), "{area:?}");
+    }
+    let error = Oracle::new(mesh).with_progress(Box::new(|_| false)).image(&frame).expect_err("nobody waits for it");
+    assert!(error.to_string().contains("given up"), "{error}");
 }

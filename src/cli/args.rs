@@ -251,13 +251,16 @@ pub(crate) struct SceneArgs {
     /// What outlines modulate; emphasises them too [default: opacity]
     #[arg(long, value_name = "MODE")]
     pub silhouette_mode: Option<SilhouetteMode>,
+    /// Cut off what is outside of this box, data units; with --order structured, the voxels outside
+    #[arg(long, value_name = "X0,Y0,Z0,X1,Y1,Z1", value_parser = parse::corners, allow_hyphen_values = true)]
+    pub clip: Option<[f64; 6]>,
     /// Any scene key, as transfer.widget.0.extinction=3 (list items count from 0); may be repeated
     #[arg(long, value_name = "KEY=VALUE", value_parser = parse::assignment)]
     pub set: Vec<(String, String)>,
 }
 
 /// How, not what, is rendered.
-#[derive(Clone, Copy, Debug, Args, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Args, Serialize)]
 #[command(next_help_heading = "Method")]
 pub(crate) struct ChoiceArgs {
     /// How cells meet pixels
@@ -286,9 +289,6 @@ pub(crate) struct ChoiceArgs {
     /// Keep cells that the transfer function leaves empty
     #[arg(long)]
     pub no_cull: bool,
-    /// Draw the voxels alone that reach into this box, data units; of rectilinear grids that are not turned
-    #[arg(long, value_name = "X0,Y0,Z0,X1,Y1,Z1", value_parser = parse::corners, allow_hyphen_values = true)]
-    pub clip: Option<[f64; 6]>,
     /// Rays end where they would see less than this share of what lies behind; 0: at the mesh's end
     #[arg(long, value_name = "SHARE", default_value = "1e-5", value_parser = parse::share)]
     pub least_transmittance: f64,
@@ -306,7 +306,6 @@ impl ChoiceArgs {
             blend: Blend::Auto,
             layout: Layout::Auto,
             no_cull: false,
-            clip: None,
             least_transmittance: renderer::Settings::default().least_transmittance,
         }
     }
@@ -387,7 +386,8 @@ pub(crate) enum SilhouetteMode {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Method {
-    /// Rays; projected tetrahedra on graphics devices where an order of cells is asked for, or links do not fit
+    /// Rays; projected tetrahedra on graphics devices where an order of cells is asked for, or links do not fit, or where
+    /// software rasterises and few cells are shown
     Auto,
     /// Projected tetrahedra
     Project,

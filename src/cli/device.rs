@@ -2,9 +2,6 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
-use indicatif::ProgressBar;
-
 use super::args::Device;
 use crate::cpu::{self, CpuRenderer};
 use crate::error::{Error, Result};
@@ -43,15 +40,18 @@ impl Wish<'_> {
     }
 }
 
-/// The renderer of one's wish. `bar` follows pictures of renderers that know how far they are.
-pub(crate) fn renderer(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<Chosen> {
+/// Hears how far a picture is, of renderers that know: see [`crate::oracle::Progress`].
+pub(crate) type Listener = Arc<dyn Fn(f64) -> bool + Send + Sync>;
+
+/// The renderer of one's wish.
+pub(crate) fn renderer(mesh: &Arc<TetMesh>, wish: &Wish<'_>, listener: &Listener) -> Result<Chosen> {
     let settings = wish.settings;
     let (renderer, why) = match wish.device {
-        Device::Oracle => (reference(mesh, bar), None),
+        Device::Oracle => (reference(mesh, listener), None),
         Device::Cpu => (cast(mesh, settings)?, None),
         Device::Gpu => on_gpu(wish.open(DeviceChoice::Any)?, mesh, wish)?,
         Device::Software => on_gpu(wish.open(DeviceChoice::Software)?, mesh, wish)?,
-        Device::Auto => return automatic(mesh, wish, bar),
+        Device::Auto => return automatic(mesh, wish, listener),
     };
     let casts = matches!(wish.device, Device::Cpu | Device::Oracle) || settings.method == Method::RayCast;
     let note = (casts && settings.order != OrderMethod::Auto)
@@ -60,7 +60,7 @@ pub(crate) fn renderer(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) 
 }
 
 /// Hardware first; then the CPU engine if it can render the scene; then a software adapter, and the reference at last.
-fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<Chosen> {
+fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, listener: &Listener) -> Result<Chosen> {
     let settings = wish.settings;
     let chosen =
         |renderer, note: &str| Ok(Chosen { renderer, note: Some(note.into()), why: None, is_reference: false });
@@ -83,7 +83,7 @@ fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, bar: &ProgressBar) -> Result<
         }
         Err(Error::Device(why)) => {
             let note = format!("{why}; rendered on the CPU with the f64 reference instead, which is slow");
-            Ok(Chosen { is_reference: true, ..chosen(reference(mesh, bar), &note)? })
+            Ok(Chosen { is_reference: true, ..chosen(reference(mesh, listener), &note)? })
         }
         Err(other) => Err(other),
     }
@@ -116,7 +116,7 @@ pub(crate) fn takes_grids(device: Device, settings: Settings, optics: &Optics) -
 
 /// A renderer of a grid's implied tetrahedra, or of those in a box. Rays are the default: what they take does not grow with
 /// what can be seen.
-pub(crate) fn grid_renderer(grid: &Arc<Grid>, wish: &Wish<'_>, clip: Option<[f64; 6]>) -> Result<Chosen> {
+pub(crate) fn grid_renderer(grid: &Arc<Grid>, wish: &Wish<'_>, bounds: Option<&Bounds>) -> Result<Chosen> {
     let choice = match wish.device {
         Device::Auto | Device::Gpu => DeviceChoice::Any,
         Device::Software => DeviceChoice::Software,
@@ -127,16 +127,14 @@ pub(crate) fn grid_renderer(grid: &Arc<Grid>, wish: &Wish<'_>, clip: Option<[f64
         }
     };
     let (gpu, grid) = (wish.open(choice)?, Arc::clone(grid));
-    let bounds =
-        clip.map(|[x0, y0, z0, x1, y1, z1]| Bounds { min: DVec3::new(x0, y0, z0), max: DVec3::new(x1, y1, z1) });
     let is_auto = wish.settings.order == OrderMethod::Auto;
     let casts = wish.settings.method == Method::RayCast || (is_auto && wish.settings.method == Method::Auto);
     let renderer: Box<dyn Renderer> = if casts {
         let caster = GridCaster::new(gpu, grid, wish.settings)?;
-        Box::new(if let Some(bounds) = bounds { caster.clipped_to(&bounds)? } else { caster })
+        Box::new(if let Some(bounds) = bounds { caster.clipped_to(bounds)? } else { caster })
     } else {
         let renderer = GridRenderer::new(gpu, grid, wish.settings)?;
-        Box::new(if let Some(bounds) = bounds { renderer.clipped_to(&bounds)? } else { renderer })
+        Box::new(if let Some(bounds) = bounds { renderer.clipped_to(bounds)? } else { renderer })
     };
     let note = "a voxel of the grid stands for five tetrahedra, none of which is held; --split 6 makes a mesh";
     Ok(Chosen { renderer, note: is_auto.then(|| note.into()), why: None, is_reference: false })
@@ -159,8 +157,7 @@ fn on_gpu(gpu: Gpu, mesh: &Arc<TetMesh>, wish: &Wish<'_>) -> Result<(Box<dyn Ren
     })
 }
 
-fn reference(mesh: &Arc<TetMesh>, bar: &ProgressBar) -> Box<dyn Renderer> {
-    let bar = bar.clone();
-    let progress = move |share: f64| bar.set_position((1000.0 * share) as u64);
-    Box::new(Oracle::new(Arc::clone(mesh)).with_progress(Box::new(progress)))
+fn reference(mesh: &Arc<TetMesh>, listener: &Listener) -> Box<dyn Renderer> {
+    let listener = Arc::clone(listener);
+    Box::new(Oracle::new(Arc::clone(mesh)).with_progress(Box::new(move |share| listener(share))))
 }

@@ -66,6 +66,8 @@ fn overrides(args: &SceneArgs) -> Vec<Override> {
     add("light-space", "lighting.space", name(args.light_space));
     add("silhouette", "silhouette.exponent", number(args.silhouette));
     add("silhouette-mode", "silhouette.mode", name(args.silhouette_mode));
+    add("clip", "clip.min", vector(args.clip.map(|[x, y, z, ..]| [x, y, z])));
+    add("clip", "clip.max", vector(args.clip.map(|[.., x, y, z]| [x, y, z])));
     for (key, value) in &args.set {
         list.push(Override { key: key.clone(), value: value.clone(), origin: format!("--set {key}={value}") });
     }

@@ -10,12 +10,12 @@ use crate::space::Interval;
 use crate::tet::Domain;
 
 /// Below this height, pixels, there is no room for axes.
-pub(super) const MIN_HEIGHT: u32 = 160;
+pub(crate) const MIN_HEIGHT: u32 = 160;
 const PAPER: [f32; 3] = [0.09, 0.09, 0.1];
 const INK: RGBColor = RGBColor(225, 225, 225);
 
 /// `image` with the panel at its right.
-pub(super) fn beside(image: &Image, mesh: &dyn Domain, transfer: &TransferFunction) -> Result<Image> {
+pub(crate) fn beside(image: &Image, mesh: &dyn Domain, transfer: &TransferFunction) -> Result<Image> {
     if image.height < MIN_HEIGHT {
         return Err(Error::Asked(format!(
             "a legend needs a picture at least {MIN_HEIGHT} pixels high, not {}",
@@ -29,7 +29,8 @@ pub(super) fn beside(image: &Image, mesh: &dyn Domain, transfer: &TransferFuncti
     Ok(Image { width: image.width + panel.width, height: image.height, pixels })
 }
 
-fn panel(height: u32, mesh: &dyn Domain, transfer: &TransferFunction) -> Result<Image> {
+/// The panel alone; `height`: at least [`MIN_HEIGHT`].
+pub(crate) fn panel(height: u32, mesh: &dyn Domain, transfer: &TransferFunction) -> Result<Image> {
     let width = (height / 2).clamp(240, 420);
     let side = (width - 90).min(height - 90) as i32;
     let (scalar, gradient) = (mesh.scalar_range(), mesh.gradient_range());

@@ -9,7 +9,7 @@ pub(crate) mod device;
 mod histogram;
 mod info;
 mod job;
-mod legend;
+pub(crate) mod legend;
 pub(crate) mod load;
 pub(crate) mod output;
 mod parse;

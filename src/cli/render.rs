@@ -3,15 +3,13 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use indicatif::ProgressBar;
-
 use super::args::{IntegralChoice, RenderArgs};
-use super::device::{Chosen, Wish};
+use super::device::{Chosen, Listener, Wish};
 use super::job::RenderJob;
 use super::load::Wanted;
 use super::stats::{Report, Timing};
 use super::{device, legend, load, output, progress};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::renderer::{Frame, OrderMethod, Renderer, choose_integral};
 use crate::tet::Domain;
 
@@ -21,23 +19,25 @@ pub(super) fn run(args: &RenderArgs) -> anyhow::Result<()> {
     let start = Instant::now();
     let wanted = match args.choices.settings().order {
         OrderMethod::Structured => Wanted::Grid,
-        OrderMethod::Auto => Wanted::GridIfPossible,
+        // A box cuts through voxels: into tetrahedra, then.
+        OrderMethod::Auto if job.scene.clip.is_none() => Wanted::GridIfPossible,
         _ => Wanted::Mesh,
     };
     let takes_grids = || device::takes_grids(args.device, args.choices.settings(), &job.scene.optics);
     match load::domain(&args.source, field, wanted, takes_grids)? {
         load::Domain::Grid(grid) => {
             let grid = Arc::new(grid);
-            let make = |wish: &Wish<'_>, _: &ProgressBar| device::grid_renderer(&grid, wish, args.choices.clip);
+            let make = |wish: &Wish<'_>, _: &Listener| device::grid_renderer(&grid, wish, job.scene.clip.as_ref());
             draw(args, &job, &*grid, start.elapsed(), make)
-        }
-        load::Domain::Mesh(_) if args.choices.clip.is_some() => {
-            Err(Error::Asked("--clip takes a rectilinear grid: --order structured tells what is against it".into())
-                .into())
         }
         load::Domain::Mesh(mesh) => {
             let mesh = Arc::new(mesh);
-            draw(args, &job, &*mesh, start.elapsed(), |wish, bar| device::renderer(&mesh, wish, bar))
+            let part = match &job.scene.clip {
+                Some(bounds) => Arc::new(progress::step("clipping", || mesh.clipped_to(bounds))?),
+                None => Arc::clone(&mesh),
+            };
+            // Cameras, units and legends are the whole mesh's.
+            draw(args, &job, &*mesh, start.elapsed(), |wish, listener| device::renderer(&part, wish, listener))
         }
     }
 }
@@ -48,17 +48,22 @@ fn draw(
     job: &RenderJob,
     mesh: &dyn Domain,
     load: Duration,
-    make: impl FnOnce(&Wish<'_>, &ProgressBar) -> Result<Chosen>,
+    make: impl FnOnce(&Wish<'_>, &Listener) -> Result<Chosen>,
 ) -> anyhow::Result<()> {
     let (camera, transfer) = job.scene.resolve(mesh)?;
     let bar = progress::bar("rendering");
+    let followed = bar.clone();
+    let listener: Listener = Arc::new(move |share| {
+        followed.set_position((1000.0 * share) as u64);
+        true
+    });
     let start = Instant::now();
     let settings = args.choices.settings();
     let background = job.scene.premultiplied_background();
     let frame =
         Frame { camera: &camera, transfer: &transfer, optics: &job.scene.optics, size: job.scene.size, background };
     let wish = Wish { device: args.device, settings, frame: &frame, shared: None };
-    let Chosen { mut renderer, note, why, is_reference } = progress::step("preparing", || make(&wish, &bar))?;
+    let Chosen { mut renderer, note, why, is_reference } = progress::step("preparing", || make(&wish, &listener))?;
     let prepare = start.elapsed();
     let timed = args.explain || args.stats.is_some();
     let integral = match args.choices.integral {

@@ -27,8 +27,8 @@ pub struct ChosenMethod {
 }
 
 /// Rays or projected cells: whichever costs less, of those whose order is known to be right to a half of
-/// [`Settings::tolerance`]. The choice depends on the mesh, the function and the kind of device alone: it is the same
-/// each time.
+/// [`Settings::tolerance`]. The choice depends on the mesh, the frame, the tolerance and the kind of device alone:
+/// it is the same each time.
 ///
 /// # Errors
 /// A mesh beyond the device's limits, with the numbers; a lost device.

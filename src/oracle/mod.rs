@@ -31,8 +31,9 @@ pub use shade::Shade;
 use view::Composition;
 pub use view::View;
 
-/// Hears the finished fraction of a picture, from 0 to 1, from any thread and not always in order.
-pub type Progress = Box<dyn Fn(f64) + Send + Sync>;
+/// Hears the finished fraction of a picture, from 0 to 1, from any thread and not always in order; says whether the picture
+/// is still wanted.
+pub type Progress = Box<dyn Fn(f64) -> bool + Send + Sync>;
 
 /// The f64 renderer.
 pub struct Oracle {
@@ -54,7 +55,7 @@ impl Oracle {
 
     /// Renders `mesh`.
     pub fn new(mesh: Arc<TetMesh>) -> Self {
-        Self { mesh, progress: Box::new(|_| ()) }
+        Self { mesh, progress: Box::new(|_| true) }
     }
 
     /// Reports progress while a picture is made.
@@ -73,8 +74,20 @@ impl Oracle {
 
     /// The picture with every ray's segments in the order they lie in.
     pub fn image(&self, frame: &Frame<'_>) -> Result<Image> {
+        self.part(frame, [0, 0, frame.size[0], frame.size[1]])
+    }
+
+    /// The same of some pixels: from `left, top` to before `right, bottom`.
+    ///
+    /// # Errors
+    /// [`Error::Asked`] where that is no part of the picture, or is not wanted any more.
+    pub fn part(&self, frame: &Frame<'_>, area: [u32; 4]) -> Result<Image> {
         let view = self.view(frame)?;
-        Ok(view.image(frame.transfer, Composition::AlongRay, frame.background, &self.progress))
+        let [left, top, right, bottom] = area;
+        if left >= right || top >= bottom || right > frame.size[0] || bottom > frame.size[1] {
+            return Err(Error::Asked(format!("pixels {area:?} are no part of a picture of {:?}", frame.size)));
+        }
+        view.image(frame.transfer, Composition::AlongRay, frame.background, area, &self.progress).ok_or_else(given_up)
     }
 
     /// The same segments composed by one key a cell (a view depth, say), the largest key behind, of equal keys the
@@ -85,7 +98,8 @@ impl Oracle {
             return Err(Error::Asked(format!("{got} keys for {want} tetrahedra: give one each")));
         }
         let view = self.view(frame)?;
-        Ok(view.image(frame.transfer, Composition::ByKey(keys), frame.background, &self.progress))
+        let all = [0, 0, frame.size[0], frame.size[1]];
+        view.image(frame.transfer, Composition::ByKey(keys), frame.background, all, &self.progress).ok_or_else(given_up)
     }
 
     /// What is seen at any position of the image; the first pixel's centre is (0.5, 0.5). For many positions make a
@@ -100,12 +114,18 @@ impl Oracle {
     }
 }
 
+fn given_up() -> Error {
+    Error::Asked("the picture was given up".into())
+}
+
 impl Renderer for Oracle {
     fn render(&mut self, frame: &Frame<'_>, timed: bool) -> Result<Rendered> {
         let start = Instant::now();
         let view = self.view(frame)?;
         let binned = start.elapsed();
-        let image = view.image(frame.transfer, Composition::AlongRay, frame.background, &self.progress);
+        let all = [0, 0, frame.size[0], frame.size[1]];
+        let image = view.image(frame.transfer, Composition::AlongRay, frame.background, all, &self.progress);
+        let image = image.ok_or_else(given_up)?;
         let rendered = start.elapsed();
         let (all, seen) = (self.mesh.tets.len() as u64, view.cells_in_view() as u64);
         let pass = |name: &str, work: String, time| PassTime { pass: name.into(), work, time };

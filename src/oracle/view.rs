@@ -1,5 +1,7 @@
 //! A mesh seen by a camera: which cells each ray crosses, and what it sees of them.
 
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -168,37 +170,50 @@ impl<'a> View<'a> {
         Cell::new(tet, ids, ids.map(|v| self.vertices[v as usize]), fields, gradients)
     }
 
-    /// The picture over `background` (linear, premultiplied). `done` hears the finished fraction, from any thread.
+    /// The pixels from `left, top` to before `right, bottom`, over `background` (linear, premultiplied). `done` hears the
+    /// finished fraction, from any thread, and says whether to go on; `None` where it did not.
     pub fn image(
         &self,
         transfer: &TransferFunction,
         composition: Composition<'_>,
         background: [f32; 4],
-        done: &(dyn Fn(f64) + Sync),
-    ) -> Image {
-        let [across, down] = self.tiles();
-        let finished = std::sync::atomic::AtomicU32::new(0);
-        let tiles: Vec<Vec<[f64; 4]>> = (0..across * down)
-            .into_par_iter()
-            .map(|tile| {
+        [left, top, right, bottom]: [u32; 4],
+        done: &(dyn Fn(f64) -> bool + Sync),
+    ) -> Option<Image> {
+        let across = self.tiles()[0];
+        let wanted: Vec<u32> = (top / TILE..bottom.div_ceil(TILE))
+            .flat_map(|row| (left / TILE..right.div_ceil(TILE)).map(move |column| row * across + column))
+            .collect();
+        let (finished, is_given_up) = (AtomicU32::new(0), AtomicBool::new(false));
+        let tiles: Vec<Vec<[f64; 4]>> = wanted
+            .par_iter()
+            .map(|&tile| {
+                if is_given_up.load(Ordering::Relaxed) {
+                    return Vec::new();
+                }
                 let pixels = self.tile(tile, transfer, composition);
-                let count = 1 + finished.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-                done(f64::from(count) / f64::from(across * down));
+                let count = 1 + finished.fetch_add(1, Ordering::Relaxed);
+                if !done(f64::from(count) / wanted.len() as f64) {
+                    is_given_up.store(true, Ordering::Relaxed);
+                }
                 pixels
             })
             .collect();
-        let mut image = Image::new(self.size[0], self.size[1]);
-        for (tile, pixels) in (0..).zip(&tiles) {
-            let [left, top] = [tile % across * TILE, tile / across * TILE];
+        if is_given_up.into_inner() {
+            return None;
+        }
+        let mut image = Image::new(right - left, bottom - top);
+        for (&tile, pixels) in wanted.iter().zip(&tiles) {
+            let corner = [tile % across * TILE, tile / across * TILE];
             for (i, &pixel) in (0..).zip(pixels) {
-                let [x, y] = [left + i % TILE, top + i / TILE];
-                if x < self.size[0] && y < self.size[1] {
-                    let at = y as usize * self.size[0] as usize + x as usize;
+                let [x, y] = [corner[0] + i % TILE, corner[1] + i / TILE];
+                if (left..right).contains(&x) && (top..bottom).contains(&y) {
+                    let at = (y - top) as usize * image.width as usize + (x - left) as usize;
                     image.pixels[at] = over(pixel, background).map(|v| v as f32);
                 }
             }
         }
-        image
+        Some(image)
     }
 
     /// The tile's pixels, row by row, without background.

@@ -7,9 +7,8 @@ use std::collections::HashMap;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::mesh::CellKind;
 use crate::scene::{Basis, Camera, Projection};
-use crate::tet::{TetMesh, is_positive, split_cell};
+use crate::tet::{TetMesh, is_positive, part};
 
 /// The most that a drawn cell's largest depth may exceed its smallest one, where perspective divides by depths.
 ///
@@ -213,22 +212,6 @@ fn in_cutting_order(planes: &[f64], used: u64) -> Vec<Plane> {
     order
 }
 
-/// All ways to name a tetrahedron's corners that keep its orientation.
-const EVEN: [[usize; 4]; 12] = [
-    [0, 1, 2, 3],
-    [0, 2, 3, 1],
-    [0, 3, 1, 2],
-    [1, 0, 3, 2],
-    [1, 2, 0, 3],
-    [1, 3, 2, 0],
-    [2, 0, 1, 3],
-    [2, 1, 3, 0],
-    [2, 3, 0, 1],
-    [3, 0, 2, 1],
-    [3, 1, 0, 2],
-    [3, 2, 1, 0],
-];
-
 struct Cutter<'a> {
     mesh: &'a TetMesh,
     /// Of the mesh's vertices.
@@ -274,26 +257,9 @@ impl Cutter<'_> {
 
     /// The part of a piece on that side of the plane where the `kept` corners are.
     fn push_side(&mut self, piece: [u32; 4], kept: [bool; 4], plane: Plane, parts: &mut Vec<[u32; 4]>) {
-        let count = kept.iter().filter(|&&b| b).count();
-        let is_sorted = |order: &&[usize; 4]| order.iter().enumerate().all(|(at, &i)| kept[i] == (at < count));
-        let Some(order) = EVEN.iter().find(is_sorted) else { return };
-        let [a, b, c, d] = order.map(|i| piece[i]);
-        let mut on = |from, to| self.on_edge(from, to, plane);
-        match count {
-            1 => {
-                let tet = [a, on(a, b), on(a, c), on(a, d)];
-                self.push(CellKind::Tetrahedron, &tet, parts);
-            }
-            2 => {
-                let wedge = [a, on(a, c), on(a, d), b, on(b, c), on(b, d)];
-                self.push(CellKind::Wedge, &wedge, parts);
-            }
-            3 => {
-                let wedge = [a, b, c, on(a, d), on(b, d), on(c, d)];
-                self.push(CellKind::Wedge, &wedge, parts);
-            }
-            _ => {}
-        }
+        let Some(pieces) = part(piece, kept, |from, to| self.on_edge(from, to, plane)) else { return };
+        let solid = |tet: &&[u32; 4]| is_positive(tet.map(|v| self.vertex(v).position));
+        parts.extend(pieces.as_slice().iter().filter(solid));
     }
 
     /// The vertex where an edge meets a plane that its ends do not lie beyond the same side of.
@@ -338,10 +304,5 @@ impl Cutter<'_> {
                 share: 0.0,
             },
         }
-    }
-
-    fn push(&self, kind: CellKind, nodes: &[u32], parts: &mut Vec<[u32; 4]>) {
-        let solid = |tet: &&[u32; 4]| is_positive(tet.map(|v| self.vertex(v).position));
-        parts.extend(split_cell(kind, nodes).as_slice().iter().filter(solid));
     }
 }

@@ -9,7 +9,7 @@ use super::document::{Document, Override, Problem};
 use super::file::read_scene;
 use super::optics::Optics;
 use super::shape::{WidgetShape, Window};
-use super::transfer::TransferFunction;
+use super::transfer::{Curve, CurveNode, TransferFunction};
 use super::widget::Widget;
 use crate::error::{Error, Result};
 use crate::space::{Bounds, Interval};
@@ -29,6 +29,8 @@ pub struct Scene {
     pub transfer: Option<TransferChoice>,
     /// Emission, lighting, silhouettes.
     pub optics: Optics,
+    /// What is outside of it is cut off, data space; the mesh whole where `None`.
+    pub clip: Option<Bounds>,
 }
 
 /// A camera, possibly to be fitted.
@@ -87,6 +89,17 @@ pub struct TransferChoice {
     pub units: Units,
     /// The function, in `units`.
     pub function: TransferFunction,
+    /// All that the file holds, where that is more than what is drawn.
+    pub draft: Option<Draft>,
+}
+
+/// A function with what is left out of the picture, to go on with.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Draft {
+    /// All widgets, and which are hidden.
+    pub widgets: Vec<(Widget, bool)>,
+    /// The curve, whether it is drawn or the widgets are.
+    pub curve: Option<Curve>,
 }
 
 /// Units of a transfer function's axes.
@@ -187,15 +200,26 @@ impl TransferChoice {
             TransferFunction::Widgets(widgets) => {
                 TransferFunction::Widgets(widgets.iter().map(|w| widget_in_data(w, axes)).collect())
             }
-            TransferFunction::Curve(curve) => {
-                let mut curve = curve.clone();
-                for node in &mut curve.nodes {
-                    node.scalar = axes[0].data(node.scalar);
-                }
-                TransferFunction::Curve(curve)
-            }
+            TransferFunction::Curve(curve) => TransferFunction::Curve(curve_in_data(curve, axes)),
         }
     }
+
+    /// The draft in data units, as [`Self::resolve`] has the function.
+    pub fn resolve_draft(&self, scalar: Interval, gradient: Interval) -> Option<Draft> {
+        let draft = self.draft.as_ref()?;
+        if self.units == Units::Data {
+            return Some(draft.clone());
+        }
+        let axes = [Axis::of(scalar), Axis::of(gradient)];
+        Some(Draft {
+            widgets: draft.widgets.iter().map(|(w, is_hidden)| (widget_in_data(w, axes), *is_hidden)).collect(),
+            curve: draft.curve.as_ref().map(|curve| curve_in_data(curve, axes)),
+        })
+    }
+}
+
+fn curve_in_data(curve: &Curve, axes: [Axis; 2]) -> Curve {
+    Curve { nodes: curve.nodes.iter().map(|node| CurveNode { scalar: axes[0].data(node.scalar), ..*node }).collect() }
 }
 
 /// From 0..1 to data units along one axis.

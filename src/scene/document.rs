@@ -29,8 +29,8 @@ const ALTERNATIVES: [(&[&str], &[&str]); 8] = [
     (&["camera.fov_y"], &["camera.height", "camera.projection"]),
     (&["camera.height"], &["camera.fov_y", "camera.projection"]),
     (&["camera.projection"], &["camera.fov_y", "camera.height"]),
-    (&["transfer.curve"], &["transfer.widget"]),
-    (&["transfer.widget"], &["transfer.curve"]),
+    (&["transfer.curve"], &["transfer.widget", "transfer.draw"]),
+    (&["transfer.widget"], &["transfer.curve", "transfer.draw"]),
     (&["units", "transfer.units"], &["units", "transfer.units"]),
 ];
 

@@ -5,12 +5,13 @@
 
 use serde::Deserialize;
 
-use super::choice::{CameraChoice, Opening, Scene, TransferChoice, Units, Viewpoint};
+use super::choice::{CameraChoice, Draft, Opening, Scene, TransferChoice, Units, Viewpoint};
 use super::document::{Document, Problem};
 use super::optics_keys::{EmissionKey, LightingKeys, SilhouetteKeys, check_optics};
 use super::transfer::{Curve, CurveNode, TransferFunction};
 use super::widget_keys::{WidgetKeys, check_widget};
 use crate::error::Result;
+use crate::space::Bounds;
 
 /// At most this many widgets: what the shaders hold.
 pub const MAX_WIDGETS: usize = 64;
@@ -34,6 +35,7 @@ struct SceneKeys {
     transfer: Option<TransferKeys>,
     lighting: Option<LightingKeys>,
     silhouette: Option<SilhouetteKeys>,
+    clip: Option<ClipKeys>,
 }
 
 #[derive(Deserialize, Default)]
@@ -74,11 +76,26 @@ struct FieldKeys {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
+struct ClipKeys {
+    min: Numbers<3>,
+    max: Numbers<3>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
 struct TransferKeys {
     units: Option<UnitsKey>,
     emission: Option<EmissionKey>,
+    draw: Option<DrawKey>,
     widget: Option<Vec<WidgetKeys>>,
     curve: Option<CurveKeys>,
+}
+
+#[derive(Deserialize, Clone, Copy, PartialEq, Eq)]
+#[serde(rename_all = "snake_case")]
+enum DrawKey {
+    Widgets,
+    Curve,
 }
 
 #[derive(Deserialize, Clone, Copy, PartialEq, Eq)]
@@ -185,12 +202,14 @@ fn check_scene(keys: SceneKeys) -> Checked<Scene> {
     let optics = check_optics(emission, keys.lighting.as_ref(), keys.silhouette.as_ref())?;
     let transfer = match (keys.transfer, keys.units) {
         // How the default function emits.
-        (Some(TransferKeys { units: None, emission: Some(_), widget: None, curve: None }), None) => None,
+        (Some(TransferKeys { units: None, emission: Some(_), draw: None, widget: None, curve: None }), None) => None,
         (Some(transfer), units) => Some(check_transfer(transfer, units)?),
         (None, Some(_)) => return Err(Problem::new("units", "there is no transfer function that they could apply to")),
         (None, None) => None,
     };
-    Ok(Scene { camera: check_camera(&keys.camera)?, size, background, field: keys.field.scalar, transfer, optics })
+    let clip = keys.clip.as_ref().map(check_clip).transpose()?;
+    let camera = check_camera(&keys.camera)?;
+    Ok(Scene { camera, size, background, field: keys.field.scalar, transfer, optics, clip })
 }
 
 fn check_side(key: &str, value: i64) -> Checked<u32> {
@@ -198,6 +217,19 @@ fn check_side(key: &str, value: i64) -> Checked<u32> {
         .ok()
         .filter(|v| (1..=MAX_SIDE).contains(v))
         .ok_or_else(|| Problem::new(key, format!("must lie in 1..{MAX_SIDE} pixels, not {value}")))
+}
+
+fn check_clip(keys: &ClipKeys) -> Checked<Bounds> {
+    let (min, max) = (keys.min.0, keys.max.0);
+    finite("clip.min", &min)?;
+    finite("clip.max", &max)?;
+    match (0..3).find(|&axis| min[axis] >= max[axis]) {
+        Some(axis) => {
+            let (name, low, high) = (["x", "y", "z"][axis], min[axis], max[axis]);
+            Err(Problem::new("clip.max", format!("the box is empty: its {name} reaches from {low} to {high}")))
+        }
+        None => Ok(Bounds { min: min.into(), max: max.into() }),
+    }
 }
 
 fn check_camera(keys: &CameraKeys) -> Checked<CameraChoice> {
@@ -286,21 +318,39 @@ fn check_transfer(keys: TransferKeys, outer: Option<UnitsKey>) -> Checked<Transf
         Some(UnitsKey::Normalized) => Units::Normalized,
         Some(UnitsKey::Data) | None => Units::Data,
     };
-    let function = match (keys.widget, keys.curve) {
-        (Some(_), Some(_)) => {
-            return Err(Problem::new("transfer.curve", "excludes transfer.widget: a function is one or the other"));
-        }
-        (Some(widgets), None) if widgets.len() > MAX_WIDGETS => {
+    let widgets = match keys.widget {
+        Some(widgets) if widgets.len() > MAX_WIDGETS => {
             let key = format!("transfer.widget.{MAX_WIDGETS}");
             return Err(Problem::new(key, format!("at most {MAX_WIDGETS} widgets, not {}", widgets.len())));
         }
-        (Some(widgets), None) if !widgets.is_empty() => TransferFunction::Widgets(
-            widgets.iter().enumerate().map(|(index, widget)| check_widget(index, widget)).collect::<Checked<_>>()?,
-        ),
-        (None, Some(curve)) => TransferFunction::Curve(check_curve(&curve)?),
-        _ => return Err(Problem::new("transfer", "has neither a widget nor a curve: leave it out for a default one")),
+        Some(widgets) => {
+            let check = |(index, widget): (usize, &WidgetKeys)| Ok((check_widget(index, widget)?, widget.hidden));
+            widgets.iter().enumerate().map(check).collect::<Checked<Vec<_>>>()?
+        }
+        None => Vec::new(),
     };
-    Ok(TransferChoice { units, function })
+    let curve = keys.curve.as_ref().map(check_curve).transpose()?;
+    let draws_curve = match (keys.draw, widgets.is_empty(), &curve) {
+        (None, false, Some(_)) => {
+            let text = "excludes transfer.widget: say with transfer.draw which of them is drawn, or drop one";
+            return Err(Problem::new("transfer.curve", text));
+        }
+        (_, true, None) => {
+            let text = "has neither a widget nor a curve: leave it out for a default one";
+            return Err(Problem::new("transfer", text));
+        }
+        (Some(DrawKey::Widgets), true, _) => return Err(Problem::new("transfer.draw", "there are no widgets")),
+        (Some(DrawKey::Curve), _, None) => return Err(Problem::new("transfer.draw", "there is no curve")),
+        (draw, _, _) => draw.map_or(widgets.is_empty(), |draw| draw == DrawKey::Curve),
+    };
+    let drawn = || widgets.iter().filter(|(_, is_hidden)| !is_hidden).map(|(widget, _)| widget.clone());
+    let function = match &curve {
+        Some(curve) if draws_curve => TransferFunction::Curve(curve.clone()),
+        _ if drawn().next().is_none() => TransferFunction::nothing(),
+        _ => TransferFunction::Widgets(drawn().collect()),
+    };
+    let is_all = (widgets.is_empty() || curve.is_none()) && widgets.iter().all(|(_, is_hidden)| !is_hidden);
+    Ok(TransferChoice { units, function, draft: (!is_all).then_some(Draft { widgets, curve }) })
 }
 
 fn check_curve(keys: &CurveKeys) -> Checked<Curve> {

@@ -15,7 +15,7 @@ mod widget_keys;
 mod write;
 
 pub use camera::{Basis, Camera, Projection};
-pub use choice::{CameraChoice, Opening, Scene, TransferChoice, Units, Viewpoint, stretch_gaussian};
+pub use choice::{CameraChoice, Draft, Opening, Scene, TransferChoice, Units, Viewpoint, stretch_gaussian};
 pub use document::Override;
 pub use file::MAX_WIDGETS;
 pub use optics::{

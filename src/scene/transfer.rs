@@ -1,6 +1,7 @@
 //! Transfer functions: extinction and colour over (scalar, gradient magnitude), in data units.
 
 use super::optics::EmissionModel;
+use super::shape::WidgetShape;
 use super::widget::Widget;
 
 /// A node of a 1D function.
@@ -29,6 +30,13 @@ pub enum TransferFunction {
     Widgets(Vec<Widget>),
     /// 1D. With unweighted emission: its colour wherever its extinction is above 0.
     Curve(Curve),
+}
+
+impl TransferFunction {
+    /// Shows nothing.
+    pub fn nothing() -> Self {
+        Self::Widgets(vec![Widget::new(WidgetShape::Uniform, [0.0; 3], 0.0)])
+    }
 }
 
 impl Curve {

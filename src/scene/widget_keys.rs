@@ -25,6 +25,8 @@ pub(super) struct WidgetKeys {
     scalar_range: Option<Numbers<2>>,
     gradient_range: Option<Numbers<2>>,
     window: Option<WindowKeys>,
+    #[serde(default)]
+    pub(super) hidden: bool,
 }
 
 #[derive(Deserialize, Clone, Copy)]

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::choice::{CameraChoice, Opening, Scene, Units, Viewpoint};
+use super::choice::{CameraChoice, Draft, Opening, Scene, Units, Viewpoint};
 use super::optics::{EmissionModel, LightSpace, SilhouetteMode};
 use super::shape::{SinusoidVariant, WidgetShape};
 use super::transfer::TransferFunction;
@@ -24,6 +24,9 @@ impl Scene {
             line(format_args!("\n[field]\nscalar = {}", toml::Value::from(field.as_str())));
         }
         line(format_args!("\n{}", camera(&self.camera)));
+        if let Some(clip) = &self.clip {
+            line(format_args!("\n[clip]\nmin = {:?}\nmax = {:?}", clip.min.to_array(), clip.max.to_array()));
+        }
         if let Some(lighting) = &self.optics.lighting {
             let space = match lighting.space {
                 LightSpace::View => "view",
@@ -54,22 +57,29 @@ impl Scene {
                 Units::Normalized => "normalized",
             };
             line(format_args!("units = \"{units}\""));
-            match &choice.function {
+            let draft = choice.draft.clone().unwrap_or_else(|| match &choice.function {
                 TransferFunction::Widgets(widgets) => {
-                    for each in widgets {
-                        line(format_args!("\n[[transfer.widget]]\n{}", widget(each)));
-                    }
+                    Draft { widgets: widgets.iter().map(|widget| (widget.clone(), false)).collect(), curve: None }
                 }
-                TransferFunction::Curve(curve) => {
-                    line(format_args!(
-                        "\n[transfer.curve]\n# scalar, red, green, blue (linear), extinction\npoints = ["
-                    ));
-                    for node in &curve.nodes {
-                        let [r, g, b] = node.color;
-                        line(format_args!("    {:?},", [node.scalar, r, g, b, node.extinction]));
-                    }
-                    line(format_args!("]"));
+                TransferFunction::Curve(curve) => Draft { widgets: Vec::new(), curve: Some(curve.clone()) },
+            });
+            if !draft.widgets.is_empty() && draft.curve.is_some() {
+                let draws_curve = matches!(choice.function, TransferFunction::Curve(_));
+                line(format_args!("draw = \"{}\"", if draws_curve { "curve" } else { "widgets" }));
+            }
+            for (each, is_hidden) in &draft.widgets {
+                line(format_args!("\n[[transfer.widget]]\n{}", widget(each)));
+                if *is_hidden {
+                    line(format_args!("hidden = true"));
                 }
+            }
+            if let Some(curve) = &draft.curve {
+                line(format_args!("\n[transfer.curve]\n# scalar, red, green, blue (linear), extinction\npoints = ["));
+                for node in &curve.nodes {
+                    let [r, g, b] = node.color;
+                    line(format_args!("    {:?},", [node.scalar, r, g, b, node.extinction]));
+                }
+                line(format_args!("]"));
             }
         }
         text
@@ -171,6 +181,9 @@ mod tests {
         up = [0, 1, 0]
         fov_y = 50
         near = 0.125
+        [clip]
+        min = [-1e-3, 0, 0.1]
+        max = [7, 1e9, 0.3]
         [lighting]
         direction = [0, 0, 4]
         space = "world"
@@ -220,7 +233,12 @@ mod tests {
     fn what_is_written_is_read() {
         let curve = "units = \"normalized\"\n[transfer.curve]\npoints = [[0, 1, 0, 0.5, 2], [1, 0, 0, 0, 0]]";
         let fitted = "[camera]\nazimuth = 90\nelevation = -45\nzoom = 1.5\nprojection = \"orthographic\"";
-        for text in [TEXT, curve, fitted, "[camera]\nheight = 3", ""] {
+        let one = "[[transfer.widget]]\nshape = \"uniform\"\ncolor = [1, 1, 1]\nextinction = 2\nhidden = ";
+        let points = "[transfer.curve]\npoints = [[0, 1, 0, 0.5, 2], [1, 0, 0, 0, 0]]";
+        let hidden = format!("[transfer]\nunits = \"normalized\"\n{one}true\n{one}false");
+        let both = format!("[transfer]\ndraw = \"curve\"\n{one}false\n{one}true\n{points}");
+        let aside = format!("[transfer]\ndraw = \"widgets\"\n{one}true\n{points}");
+        for text in [TEXT, curve, fitted, "[camera]\nheight = 3", "", &hidden, &both, &aside] {
             let scene = Scene::parse(text, &[]).unwrap();
             let written = scene.to_toml();
             let read = Scene::parse(&written, &[]).unwrap_or_else(|e| panic!("{e}:\n{written}"));
@@ -235,7 +253,7 @@ mod tests {
         let shape =
             WidgetShape::Sinusoid { direction: [3.0, -4.0], offset: 0.7, period: 2.0, variant: SinusoidVariant::Cos };
         let function = TransferFunction::Widgets(vec![Widget::new(shape.clone(), [1.0; 3], 1.0)]);
-        let transfer = Some(super::super::TransferChoice { units: Units::Data, function });
+        let transfer = Some(super::super::TransferChoice { units: Units::Data, function, draft: None });
         let scene = Scene { transfer, ..Scene::parse("", &[]).unwrap() };
         let read = Scene::parse(&scene.to_toml(), &[]).unwrap().transfer.unwrap().function;
         let TransferFunction::Widgets(widgets) = read else { panic!("widgets stay widgets") };

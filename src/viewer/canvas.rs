@@ -1,13 +1,14 @@
 //! The picture: drawn, turned, compared.
 
 use eframe::egui::{
-    Align2, Color32, ColorImage, FontId, Key, Modifiers, PointerButton, Pos2, Rect, Response, Role, Sense, Stroke,
-    TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Align2, Color32, ColorImage, Context, CursorIcon, FontId, Key, Modifiers, Painter, PointerButton, Pos2, Rect,
+    Response, Role, Sense, Stroke, StrokeKind, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 use glam::DVec3;
 
+use super::clip_box::{self, Side};
 use super::look;
-use crate::scene::{Camera, Projection};
+use crate::scene::Camera;
 use crate::space::Bounds;
 
 /// How two pictures are shown together.
@@ -20,6 +21,26 @@ pub enum Together {
     Difference,
 }
 
+/// What is around the picture.
+pub struct Scenery<'a> {
+    /// Of the mesh.
+    pub bounds: Bounds,
+    /// The clipping box, where there is one: its sides are pulled.
+    pub clip: &'a mut Option<Bounds>,
+    /// Of the sides, where there are two.
+    pub names: Option<[String; 2]>,
+}
+
+/// What is pulled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Hold {
+    Camera,
+    Split,
+    Clip(Side),
+    /// From where on the screen.
+    Area(Pos2),
+}
+
 /// State of the picture.
 pub struct Canvas {
     /// One a side, then the difference.
@@ -30,7 +51,14 @@ pub struct Canvas {
     pub together: Together,
     /// The mesh's box and axes are drawn.
     pub has_box: bool,
-    is_pulling_split: bool,
+    /// A part of the picture is drawn next.
+    pub is_choosing: bool,
+    /// The part that was drawn, pixels: left, top, before right, before bottom.
+    pub chosen: Option<[u32; 4]>,
+    /// Another picture of a part, pixels.
+    part: Option<([u32; 4], TextureHandle)>,
+    legend: Option<TextureHandle>,
+    hold: Option<Hold>,
     /// Pixels of the last drawing.
     pub size: [u32; 2],
     /// The pixel under the pointer, if it rests there.
@@ -46,7 +74,11 @@ impl Default for Canvas {
             split: 0.5,
             together: Together::Split,
             has_box: true,
-            is_pulling_split: false,
+            is_choosing: false,
+            chosen: None,
+            part: None,
+            legend: None,
+            hold: None,
             size: [1, 1],
             hovered: None,
             is_moving: false,
@@ -56,7 +88,7 @@ impl Default for Canvas {
 
 impl Canvas {
     /// Takes new pictures: one, or two and their difference.
-    pub fn show(&mut self, ctx: &eframe::egui::Context, pictures: Vec<ColorImage>) {
+    pub fn show(&mut self, ctx: &Context, pictures: Vec<ColorImage>) {
         self.textures.truncate(pictures.len());
         for (index, picture) in pictures.into_iter().enumerate() {
             match self.textures.get_mut(index) {
@@ -66,63 +98,104 @@ impl Canvas {
         }
     }
 
+    /// Takes another picture of a part, or none.
+    pub fn show_part(&mut self, ctx: &Context, part: Option<([u32; 4], ColorImage)>) {
+        self.part = part.map(|(area, picture)| (area, ctx.load_texture("part", picture, TextureOptions::NEAREST)));
+    }
+
+    /// Takes a legend, or none.
+    pub fn show_legend(&mut self, ctx: &Context, legend: Option<ColorImage>) {
+        self.legend = legend.map(|picture| ctx.load_texture("legend", picture, TextureOptions::LINEAR));
+    }
+
     /// Forgets the last pictures.
     pub fn clear(&mut self) {
         self.textures.clear();
+        (self.part, self.legend) = (None, None);
     }
 
-    /// Draws, and moves the camera. `names`: of the sides, where there are two.
-    pub fn ui(&mut self, ui: &mut Ui, camera: &mut Camera, bounds: &Bounds, names: Option<[String; 2]>) -> Response {
+    /// Whether the middle of some pixels is right of the line between two pictures.
+    pub fn is_right_of_split(&self, [left, _, right, _]: [u32; 4]) -> bool {
+        let middle = 0.5 * (left + right) as f32;
+        self.together == Together::Split && middle > self.split * self.size[0] as f32
+    }
+
+    /// Whether a side of the clipping box is being pulled.
+    pub fn is_clipping(&self) -> bool {
+        matches!(self.hold, Some(Hold::Clip(_)))
+    }
+
+    /// Draws, and moves the camera or what is pulled.
+    pub fn ui(&mut self, ui: &mut Ui, camera: &mut Camera, mut scenery: Scenery<'_>) -> Response {
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "Picture"));
         let scale = ui.ctx().pixels_per_point();
         self.size = [rect.width(), rect.height()].map(|v| ((v * scale).round() as u32).max(1));
         let before = *camera;
-        self.move_camera(ui, &response, rect, camera, bounds, names.is_some());
-        self.is_moving = before != *camera || (response.dragged() && !self.is_pulling_split);
+        self.pull(ui, &response, rect, camera, &mut scenery);
+        self.fly(ui, &response, camera, &scenery.bounds);
+        self.is_moving = before != *camera || (response.dragged() && self.hold == Some(Hold::Camera));
         self.hovered = response.hover_pos().filter(|_| !self.is_moving).map(|pos| {
             let at = (pos - rect.min) * scale;
             [at.x.into(), at.y.into()]
         });
-        self.draw(ui, rect, camera, bounds, names);
+        self.draw(ui, rect, &response, camera, &scenery);
         response
     }
 
-    fn move_camera(
-        &mut self,
-        ui: &Ui,
-        response: &Response,
-        rect: Rect,
-        camera: &mut Camera,
-        bounds: &Bounds,
-        has_split: bool,
-    ) {
+    /// What a press at a place takes hold of.
+    fn grab(&self, rect: Rect, camera: &Camera, scenery: &Scenery<'_>, pressed: Pos2) -> Hold {
         let line = rect.left() + self.split * rect.width();
+        let has_split = scenery.names.is_some() && self.together == Together::Split;
+        let side = scenery.clip.as_ref().and_then(|clip| clip_box::side_at(camera, rect, clip, pressed));
+        match side {
+            _ if self.is_choosing => Hold::Area(pressed),
+            Some(side) => Hold::Clip(side),
+            None if has_split && (pressed.x - line).abs() < 8.0 => Hold::Split,
+            None => Hold::Camera,
+        }
+    }
+
+    fn pull(&mut self, ui: &Ui, response: &Response, rect: Rect, camera: &mut Camera, scenery: &mut Scenery<'_>) {
         if response.drag_started() {
             let pressed = ui.input(|i| i.pointer.press_origin()).or(response.interact_pointer_pos());
-            let is_near = pressed.is_some_and(|pos| (pos.x - line).abs() < 8.0);
-            self.is_pulling_split = has_split && self.together == Together::Split && is_near;
+            let is_primary = response.dragged_by(PointerButton::Primary);
+            let grabbed = pressed.filter(|_| is_primary).map(|pos| self.grab(rect, camera, scenery, pos));
+            self.hold = Some(grabbed.unwrap_or(Hold::Camera));
         }
-        let delta = response.drag_delta();
-        if self.is_pulling_split {
-            if let Some(pos) = response.interact_pointer_pos() {
+        match (self.hold, response.interact_pointer_pos()) {
+            (Some(Hold::Split), Some(pos)) => {
                 self.split = ((pos.x - rect.left()) / rect.width()).clamp(0.02, 0.98);
             }
-            self.is_pulling_split = !response.drag_stopped();
-        } else if delta != Vec2::ZERO {
-            let modifiers = ui.input(|i| i.modifiers);
-            let [x, y] = [delta.x, delta.y].map(|v| f64::from(v / rect.height()));
-            let pans = response.dragged_by(PointerButton::Secondary)
-                || response.dragged_by(PointerButton::Middle)
-                || modifiers.shift;
-            if pans {
-                look::pan(camera, x, y);
-            } else if modifiers.command {
-                look::roll(camera, -3.0 * x);
-            } else {
-                look::orbit(camera, 4.0 * x, -4.0 * y);
+            (Some(Hold::Clip(side)), Some(pos)) => {
+                if let Some(clip) = &mut *scenery.clip {
+                    clip_box::pull(clip, side, camera, rect, pos, &scenery.bounds);
+                }
             }
+            (Some(Hold::Area(from)), Some(pos)) if response.drag_stopped() => {
+                self.chosen = self.area(rect, from, pos, ui.ctx().pixels_per_point());
+                self.is_choosing = false;
+            }
+            (Some(Hold::Camera), _) => turn(ui, response, rect, camera),
+            _ => {}
         }
+        if !response.dragged() {
+            self.hold = None;
+        }
+    }
+
+    /// Pixels between two places on the screen; none where that is too small to be meant.
+    fn area(&self, rect: Rect, from: Pos2, to: Pos2, scale: f32) -> Option<[u32; 4]> {
+        let between = Rect::from_two_pos(from, to).intersect(rect);
+        let [left, top] =
+            [between.left() - rect.left(), between.top() - rect.top()].map(|v| (v * scale).max(0.0) as u32);
+        let [right, bottom] =
+            [between.right() - rect.left(), between.bottom() - rect.top()].map(|v| (v * scale) as u32);
+        let [right, bottom] = [right.min(self.size[0]), bottom.min(self.size[1])];
+        (right > left + 1 && bottom > top + 1).then_some([left, top, right, bottom])
+    }
+
+    fn fly(&self, ui: &Ui, response: &Response, camera: &mut Camera, bounds: &Bounds) {
         if response.hovered() {
             let by = ui.input(|i| f64::from(i.smooth_scroll_delta().y) / 250.0 + f64::from(i.zoom_delta()).ln());
             if by != 0.0 {
@@ -145,8 +218,9 @@ impl Canvas {
         }
     }
 
-    fn draw(&self, ui: &Ui, rect: Rect, camera: &Camera, bounds: &Bounds, names: Option<[String; 2]>) {
+    fn draw(&self, ui: &Ui, rect: Rect, response: &Response, camera: &Camera, scenery: &Scenery<'_>) {
         let painter = ui.painter_at(rect);
+        let names = scenery.names.as_ref();
         let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
         let is_pair = names.is_some() && self.textures.len() == 3;
         match (&self.textures[..], is_pair, self.together) {
@@ -172,57 +246,78 @@ impl Canvas {
                 painter.image(first.id(), rect, whole, Color32::WHITE);
             }
         }
+        let to_screen = |[left, top, right, bottom]: [u32; 4]| {
+            let at = |x: u32, y: u32| rect.min + vec2(x as f32, y as f32) / ui.ctx().pixels_per_point();
+            Rect::from_min_max(at(left, top), at(right, bottom))
+        };
+        let frame = Stroke::new(1.5, clip_box::COLOR);
+        if let Some((area, texture)) = &self.part {
+            painter.image(texture.id(), to_screen(*area), whole, Color32::WHITE);
+            painter.rect_stroke(to_screen(*area), 0.0, frame, StrokeKind::Outside);
+        }
         if self.has_box {
-            draw_box(&painter, rect, camera, bounds);
+            let faint = Stroke::new(1.0, Color32::from_rgba_unmultiplied(160, 160, 160, 120));
+            clip_box::draw(&painter, rect, camera, &scenery.bounds, faint);
+        }
+        let pointer = response.hover_pos();
+        if let Some(clip) = scenery.clip.as_ref() {
+            clip_box::draw(&painter, rect, camera, clip, Stroke::new(1.0, clip_box::COLOR));
+            let under = pointer.and_then(|pos| clip_box::side_at(camera, rect, clip, pos));
+            let held = if let Some(Hold::Clip(side)) = self.hold { Some(side) } else { under };
+            if held.is_some() {
+                ui.ctx().set_cursor_icon(CursorIcon::Grab);
+            }
+            clip_box::draw_handles(&painter, rect, camera, clip, held);
+        }
+        if self.is_choosing {
+            ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
+        }
+        if let (Some(Hold::Area(from)), Some(to)) = (self.hold, response.interact_pointer_pos()) {
+            painter.rect_stroke(Rect::from_two_pos(from, to), 0.0, frame, StrokeKind::Middle);
         }
         draw_axes(&painter, rect, camera);
+        if let Some(legend) = &self.legend {
+            let size = legend.size_vec2() / ui.ctx().pixels_per_point();
+            let at = Rect::from_min_size(rect.max - size - vec2(10.0, 10.0), size);
+            painter.image(legend.id(), at, whole, Color32::WHITE);
+        }
         if let Some([left, right]) = names {
-            let place = |at: Pos2, align, text: &str| {
+            let place = |at: Pos2, align: Align2, text: &str| {
                 let galley = painter.layout_no_wrap(text.to_owned(), FontId::proportional(13.0), Color32::WHITE);
-                let area = align_rect(at, align, galley.size());
+                let area = align.anchor_size(at, galley.size());
                 painter.rect_filled(area.expand(4.0), 3.0, Color32::from_black_alpha(160));
                 painter.galley(area.min, galley, Color32::WHITE);
             };
             if self.together == Together::Difference {
                 place(rect.left_top() + vec2(10.0, 10.0), Align2::LEFT_TOP, &format!("{left} − {right}"));
             } else {
-                place(rect.left_top() + vec2(10.0, 10.0), Align2::LEFT_TOP, &left);
-                place(rect.right_top() + vec2(-10.0, 10.0), Align2::RIGHT_TOP, &right);
+                place(rect.left_top() + vec2(10.0, 10.0), Align2::LEFT_TOP, left);
+                place(rect.right_top() + vec2(-10.0, 10.0), Align2::RIGHT_TOP, right);
             }
         }
     }
 }
 
-fn align_rect(at: Pos2, align: Align2, size: Vec2) -> Rect {
-    align.anchor_size(at, size)
-}
-
-/// Where a place in data space is on the screen; `None` behind the eye.
-fn project(camera: &Camera, rect: Rect, p: DVec3) -> Option<Pos2> {
-    let (basis, away) = (camera.basis(), p - camera.eye);
-    let [x, y, depth] = [basis.right, basis.up, basis.forward].map(|axis| away.dot(axis));
-    let half = match camera.projection {
-        Projection::Perspective { fov_y } if depth > 0.0 => (0.5 * fov_y).tan() * depth,
-        Projection::Perspective { .. } => return None,
-        Projection::Orthographic { height } => 0.5 * height,
-    };
-    let to_points = 0.5 * f64::from(rect.height()) / half;
-    Some(rect.center() + vec2((x * to_points) as f32, (-y * to_points) as f32))
-}
-
-fn draw_box(painter: &eframe::egui::Painter, rect: Rect, camera: &Camera, bounds: &Bounds) {
-    let corners = bounds.corners().map(|corner| project(camera, rect, corner));
-    let stroke = Stroke::new(1.0, Color32::from_rgba_unmultiplied(160, 160, 160, 120));
-    for a in 0..8 {
-        for bit in [1, 2, 4] {
-            if let (0, Some(from), Some(to)) = (a & bit, corners[a], corners[a | bit]) {
-                painter.line_segment([from, to], stroke);
-            }
-        }
+/// Turns, moves or rolls the camera by a drag.
+fn turn(ui: &Ui, response: &Response, rect: Rect, camera: &mut Camera) {
+    let delta = response.drag_delta();
+    if delta == Vec2::ZERO {
+        return;
+    }
+    let modifiers = ui.input(|i| i.modifiers);
+    let [x, y] = [delta.x, delta.y].map(|v| f64::from(v / rect.height()));
+    let pans =
+        response.dragged_by(PointerButton::Secondary) || response.dragged_by(PointerButton::Middle) || modifiers.shift;
+    if pans {
+        look::pan(camera, x, y);
+    } else if modifiers.command {
+        look::roll(camera, -3.0 * x);
+    } else {
+        look::orbit(camera, 4.0 * x, -4.0 * y);
     }
 }
 
-fn draw_axes(painter: &eframe::egui::Painter, rect: Rect, camera: &Camera) {
+fn draw_axes(painter: &Painter, rect: Rect, camera: &Camera) {
     let basis = camera.basis();
     let middle = rect.left_bottom() + vec2(38.0, -38.0);
     let axes = [
@@ -234,26 +329,5 @@ fn draw_axes(painter: &eframe::egui::Painter, rect: Rect, camera: &Camera) {
         let toward = vec2(axis.dot(basis.right) as f32, -axis.dot(basis.up) as f32);
         painter.line_segment([middle, middle + 26.0 * toward], Stroke::new(2.0, color));
         painter.text(middle + 33.0 * toward, Align2::CENTER_CENTER, name, FontId::proportional(12.0), color);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A place on a pixel's ray is drawn at that pixel.
-    #[test]
-    fn places_are_drawn_where_rays_meet_them() {
-        let rect = Rect::from_min_size(pos2(40.0, 30.0), vec2(320.0, 200.0));
-        for projection in [Projection::Perspective { fov_y: 0.8 }, Projection::Orthographic { height: 7.0 }] {
-            let (eye, target) = (DVec3::new(9.0, -3.0, 4.0), DVec3::new(0.5, 1.0, 0.0));
-            let camera = Camera { eye, target, up: DVec3::Z, projection, near: None };
-            for pixel in [[10.0, 20.0], [160.0, 100.0], [300.0, 150.0]] {
-                let ray = camera.ray([320, 200], pixel);
-                let at = project(&camera, rect, ray.origin + 6.5 * ray.direction).expect("before the eye");
-                let want = rect.min + vec2(pixel[0] as f32, pixel[1] as f32);
-                assert!(at.distance(want) < 1e-2, "{at:?}, not {want:?}");
-            }
-        }
     }
 }

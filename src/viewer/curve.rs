@@ -42,16 +42,23 @@ impl CurveEditor {
         self.held.is_some()
     }
 
+    /// Removes the selected point; one stays.
+    pub fn delete(&mut self, curve: &mut Curve) {
+        if let Some(index) = self.selected.take_if(|index| *index < curve.nodes.len() && curve.nodes.len() > 1) {
+            curve.nodes.remove(index);
+        }
+    }
+
     /// Draws the plot and does what the pointer asks.
     pub fn ui(&mut self, ui: &mut Ui, opened: &Opened, curve: &mut Curve, height: f32) -> Response {
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Curve"));
         let plot = Rect::from_min_max(rect.min + vec2(52.0, 16.0), rect.max - vec2(8.0, 34.0));
-        let range = opened.mesh.scalar_range();
+        let range = opened.histogram.scalar;
         let high = if range.length() > 0.0 { range.max } else { range.min + 1.0 };
         if self.held.is_none() {
             let most = curve.nodes.iter().map(|node| node.extinction).fold(0.0, f64::max);
-            self.top = if most > 0.0 { 1.15 * most } else { 10.0 / opened.mesh.bounds_in_data().diagonal() };
+            self.top = if most > 0.0 { 1.15 * most } else { 10.0 / opened.bounds.diagonal() };
         }
         let shown = [[range.min, high], [0.0, self.top]];
         let map = plot::map(plot, shown);
@@ -83,10 +90,9 @@ impl CurveEditor {
             }
             if response.secondary_clicked()
                 && let Some(index) = near(curve, pos)
-                && curve.nodes.len() > 1
             {
-                curve.nodes.remove(index);
-                self.selected = None;
+                self.selected = Some(index);
+                self.delete(curve);
             }
         }
         if response.drag_stopped() || response.interact_pointer_pos().is_none() {

@@ -114,9 +114,13 @@ pub struct Editor {
     pub selected: Option<usize>,
     /// See [`Tool`].
     pub tool: Tool,
+    /// What is pulled goes from tick to tick.
+    pub snaps: bool,
     /// A box whose values the picture shows.
     pub brush: Option<[[f64; 2]; 2]>,
     hold: Option<Hold>,
+    /// Where what is held was last, points.
+    last: [f64; 2],
     /// Where the volume is.
     most: Option<[[f64; 2]; 2]>,
     texture: Option<(bool, TextureHandle)>,
@@ -125,12 +129,12 @@ pub struct Editor {
 impl Editor {
     /// Forgets what belongs to another mesh.
     pub fn reset(&mut self) {
-        *self = Self { tool: self.tool, ..Self::default() };
+        *self = Self { tool: self.tool, snaps: self.snaps, ..Self::default() };
     }
 
     /// Whether something is being pulled.
     pub fn is_busy(&self) -> bool {
-        self.hold.is_some()
+        matches!(self.hold, Some(Hold::Widget(..) | Hold::New(..) | Hold::Brush(_)))
     }
 
     /// All that the histogram spans.
@@ -168,12 +172,11 @@ impl Editor {
             }
             return;
         };
-        let to = at(pointer);
-        let delta = response.drag_delta();
-        let by = [f64::from(delta.x), f64::from(delta.y)];
+        let snaps = self.snaps;
+        let snapped = |point| if snaps { plot::snapped(point, *rect, *shown) } else { point };
         if response.drag_started() {
             let pressed = ui.input(|i| i.pointer.press_origin()).unwrap_or(pointer);
-            let from = map.data(at(pressed));
+            let from = map.data(snapped(at(pressed)));
             let middle = response.dragged_by(PointerButton::Middle) || response.dragged_by(PointerButton::Secondary);
             self.hold = if middle || ui.input(|i| i.modifiers.shift) {
                 Some(Hold::Pan)
@@ -182,13 +185,18 @@ impl Editor {
             } else {
                 None
             };
-            // What the pointer did before the drag was known to be one.
-            if let Some(Hold::Widget(index, grip)) = self.hold {
-                let by = [to[0] - at(pressed)[0], to[1] - at(pressed)[1]];
-                handles::pull(&mut look.items[index].widget, grip, to, by, map, *shown);
-                return;
-            }
+            // From where the handle is, what snaps goes to a tick; else the pointer keeps its distance.
+            self.last = match self.hold {
+                Some(Hold::Widget(index, Grip::Body)) if snaps => {
+                    let all = handles::handles(&look.items[index].widget, map, *shown);
+                    all.iter().find(|handle| handle.grip == Grip::Body).map_or(at(pressed), |handle| handle.at)
+                }
+                _ => at(pressed),
+            };
         }
+        let to = if self.hold == Some(Hold::Pan) { at(pointer) } else { snapped(at(pointer)) };
+        let by = [to[0] - self.last[0], to[1] - self.last[1]];
+        self.last = to;
         match self.hold {
             Some(Hold::Widget(index, grip)) if index < look.items.len() => {
                 handles::pull(&mut look.items[index].widget, grip, to, by, map, *shown);
@@ -206,7 +214,7 @@ impl Editor {
         if response.clicked() {
             let pressed = map.data(to);
             match self.tool {
-                Tool::Move => self.selected = self.handle_at(look, plot, to).map(|(index, _)| index),
+                Tool::Move => self.selected = self.handle_at(look, plot, at(pointer)).map(|(index, _)| index),
                 Tool::Brush => self.brush = None,
                 _ => _ = self.grab(look, plot, to, pressed, opened),
             }
@@ -231,7 +239,7 @@ impl Editor {
             _ if look.items.len() >= MAX_WIDGETS => None,
             tool => {
                 let width = [0, 1].map(|axis| SHARE * (shown[axis][1] - shown[axis][0]));
-                let index = look.add(tool.shape(from, width)?, opened.mesh.bounds_in_data().diagonal());
+                let index = look.add(tool.shape(from, width)?, opened.bounds.diagonal());
                 if tool == Tool::Uniform {
                     let widget = &mut look.items[index].widget;
                     widget.scalar_range = Some([from[0] - width[0], from[0] + width[0]]);

@@ -1,18 +1,17 @@
 //! Pictures, made beside the window: the newest wish is rendered, coarse first while the camera moves.
 
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use indicatif::ProgressBar;
-
+use super::watch::Watch;
 use crate::cli::args::{ChoiceArgs, Device, IntegralChoice, Method, Order};
-use crate::cli::device::{self, Chosen, Wish};
-use crate::error::Result;
+use crate::cli::device::{self, Chosen, Listener, Wish};
+use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::image::Image;
-use crate::renderer::{Frame, Renderer, Settings, TOLERANCE, choose_integral};
+use crate::renderer::{Frame, Renderer, SegmentIntegral, choose_integral};
 use crate::scene::{Camera, Optics, TransferFunction};
 use crate::tet::TetMesh;
 
@@ -28,31 +27,13 @@ const FRAMES_OF_A_DEVICE: u32 = 64;
 pub struct How {
     /// Where.
     pub(crate) device: Device,
-    /// See `device`.
-    pub(crate) method: Method,
-    /// See `device`.
-    pub(crate) integral: IntegralChoice,
-    /// See `device`.
-    pub(crate) order: Order,
-    /// What a channel may err by, where something is chosen.
-    pub(crate) tolerance: f64,
+    /// The command line's words for the rest.
+    pub(crate) choices: ChoiceArgs,
 }
 
 impl Default for How {
     fn default() -> Self {
-        let (method, integral, order) = (Method::Auto, IntegralChoice::Auto, Order::Auto);
-        Self { device: Device::Auto, method, integral, order, tolerance: TOLERANCE }
-    }
-}
-
-impl How {
-    /// The command line's words for it.
-    pub(crate) fn choices(self) -> ChoiceArgs {
-        ChoiceArgs { tolerance: self.tolerance, ..ChoiceArgs::of(self.method, self.order, self.integral) }
-    }
-
-    fn settings(self) -> Settings {
-        self.choices().settings()
+        Self { device: Device::Auto, choices: ChoiceArgs::of(Method::Auto, Order::Auto, IntegralChoice::Auto) }
     }
 }
 
@@ -98,7 +79,7 @@ pub struct Shown {
     pub images: Vec<Image>,
     /// Pixels of the wish along a side of one of these.
     pub step: u32,
-    /// What one picture took, seconds.
+    /// What one picture took, seconds, without what was made ready for it.
     pub seconds: f64,
     /// How they were made.
     pub notes: Vec<String>,
@@ -106,9 +87,16 @@ pub struct Shown {
     pub is_last: bool,
 }
 
+/// What tells a watch how far a picture is.
+pub fn listener(watch: &Watch) -> Listener {
+    let watch = watch.clone();
+    Arc::new(move |share| watch.hear(share))
+}
+
 struct Slot {
     /// With its number.
     wanted: Mutex<Option<(u64, Wanted)>>,
+    watch: Watch,
     changed: Condvar,
     is_closed: AtomicBool,
 }
@@ -120,6 +108,8 @@ pub struct Engine {
     last: Option<Wanted>,
     /// The last wish's number.
     asked: u64,
+    /// The thread has, and that was told.
+    has_ended: bool,
 }
 
 impl Engine {
@@ -128,21 +118,32 @@ impl Engine {
     /// # Errors
     /// No thread can be made.
     pub fn new(shared: Option<Gpu>, wake: impl Fn() + Send + 'static) -> Result<Self> {
-        let slot =
-            Arc::new(Slot { wanted: Mutex::new(None), changed: Condvar::new(), is_closed: AtomicBool::new(false) });
+        let slot = Arc::new(Slot {
+            wanted: Mutex::new(None),
+            watch: Watch::default(),
+            changed: Condvar::new(),
+            is_closed: AtomicBool::new(false),
+        });
         let (sender, results) = channel();
         let taken = Arc::clone(&slot);
         // Renderers do not go from thread to thread.
         let work = move || {
-            let worker = Worker { slot: taken, sender, shared, ready: Vec::new(), seconds_per_pixel: 0.0 };
+            let worker = Worker {
+                slot: taken,
+                sender,
+                shared,
+                ready: Vec::new(),
+                last_choices: [None; 2],
+                seconds_per_pixel: 0.0,
+            };
             worker.run(&wake);
         };
         // One core is left to the window.
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         let pool = rayon::ThreadPoolBuilder::new().num_threads((cores - 1).max(1)).build();
-        let pool = pool.map_err(|e| crate::Error::Device(format!("no threads can be made to render on: {e}")))?;
+        let pool = pool.map_err(|e| Error::Device(format!("no threads can be made to render on: {e}")))?;
         std::thread::spawn(move || pool.install(work));
-        Ok(Self { slot, results, last: None, asked: 0 })
+        Ok(Self { slot, results, last: None, asked: 0, has_ended: false })
     }
 
     /// Asks for pictures; those that were asked for before are given up. Whether they are others.
@@ -152,20 +153,50 @@ impl Engine {
         }
         self.last = Some(wanted.clone());
         self.asked += 1;
-        *self.slot.wanted.lock().unwrap_or_else(PoisonError::into_inner) = Some((self.asked, wanted));
+        let mut slot = self.slot.wanted.lock().unwrap_or_else(PoisonError::into_inner);
+        *slot = Some((self.asked, wanted));
+        self.slot.watch.give_up();
+        drop(slot);
         self.slot.changed.notify_one();
         true
     }
 
+    /// How far the picture is that is being made, 0 to 1, where that is known.
+    pub fn progress(&self) -> Option<f64> {
+        self.slot.watch.share().filter(|_| !self.slot.watch.is_given_up())
+    }
+
+    /// Gives up the picture that is being made, if that can be: nothing comes of it.
+    pub fn cancel(&self) {
+        self.slot.watch.give_up();
+    }
+
+    /// What was asked for last.
+    pub fn last(&self) -> Option<&Wanted> {
+        self.last.as_ref()
+    }
+
     /// What has come since the last call, and whether it is of the last wish.
-    pub fn results(&self) -> impl Iterator<Item = (bool, Result<Shown>)> + '_ {
-        self.results.try_iter().map(|(number, result)| (number == self.asked, result))
+    pub fn results(&mut self) -> Vec<(bool, Result<Shown>)> {
+        let mut all = Vec::new();
+        loop {
+            match self.results.try_recv() {
+                Ok((number, result)) => all.push((number == self.asked, result)),
+                Err(TryRecvError::Disconnected) if !self.has_ended => {
+                    self.has_ended = true;
+                    let text = "what renders has ended: save the scene, and open the window again";
+                    all.push((true, Err(Error::Device(text.into()))));
+                }
+                Err(_) => return all,
+            }
+        }
     }
 }
 
 impl Drop for Engine {
     fn drop(&mut self) {
         self.slot.is_closed.store(true, Ordering::Relaxed);
+        self.slot.watch.give_up();
         self.slot.changed.notify_one();
     }
 }
@@ -188,11 +219,19 @@ struct Ready {
     frames: u32,
 }
 
+/// The integral that a side was last drawn with, by choice.
+#[derive(Clone, Copy)]
+struct LastChoice {
+    how: How,
+    integral: SegmentIntegral,
+}
+
 struct Worker {
     slot: Arc<Slot>,
     sender: Sender<(u64, Result<Shown>)>,
     shared: Option<Gpu>,
     ready: Vec<Ready>,
+    last_choices: [Option<LastChoice>; 2],
     seconds_per_pixel: f64,
 }
 
@@ -204,10 +243,14 @@ impl Worker {
                     break;
                 }
                 let result = self.render(&wanted, step);
+                if result.is_err() && self.slot.watch.is_given_up() {
+                    break;
+                }
                 let has_failed = result.is_err();
-                if has_failed {
-                    // A lost device is opened again the next time.
+                if let Err(error) = &result {
+                    // A lost device is opened again the next time, and not the window's.
                     self.ready.clear();
+                    self.shared = self.shared.take().filter(|_| !matches!(error, Error::Device(_)));
                 }
                 if self.sender.send((number, result)).is_err() {
                     return;
@@ -227,6 +270,8 @@ impl Worker {
                 return None;
             }
             if let Some(wanted) = wanted.take() {
+                // While the slot is held: whoever wants something else gives it up after this.
+                self.slot.watch.begin();
                 return Some(wanted);
             }
             wanted = self.slot.changed.wait(wanted).unwrap_or_else(PoisonError::into_inner);
@@ -253,8 +298,7 @@ impl Worker {
     fn render(&mut self, wanted: &Wanted, step: u32) -> Result<Shown> {
         self.ready.retain(|ready| Arc::ptr_eq(&ready.mesh, &wanted.mesh) && ready.side < wanted.sides.len());
         let size = wanted.size.map(|n| n.div_ceil(step).max(1));
-        let start = Instant::now();
-        let (mut images, mut notes) = (Vec::new(), Vec::new());
+        let (mut images, mut notes, mut seconds) = (Vec::new(), Vec::new(), 0.0);
         for (number, side) in wanted.sides.iter().enumerate() {
             let frame = Frame {
                 camera: &wanted.camera,
@@ -264,7 +308,9 @@ impl Worker {
                 background: wanted.background,
             };
             let ready = self.ready(wanted, number, side, &frame)?;
+            let start = Instant::now();
             let rendered = ready.renderer.render(&frame, false)?;
+            seconds += start.elapsed().as_secs_f64() / wanted.sides.len() as f64;
             ready.frames += 1;
             images.push(rendered.image);
             let mut of_side = ready.notes.clone();
@@ -273,8 +319,7 @@ impl Worker {
             of_side.push(format!("on {}", rendered.stats.adapter));
             notes.push(of_side.join("; "));
         }
-        let seconds = start.elapsed().as_secs_f64() / wanted.sides.len() as f64;
-        // What a renderer takes to be made does not tell how long frames take.
+        // A renderer's first frame does not tell how long frames take.
         if self.ready.iter().all(|ready| ready.frames > 1) {
             let pixels = f64::from(size[0]) * f64::from(size[1]);
             self.seconds_per_pixel = seconds / pixels;
@@ -302,21 +347,38 @@ impl Worker {
             }
         };
         let ready = &mut self.ready[at];
-        let chooses = side.how.integral == IntegralChoice::Auto && !ready.is_reference;
+        let chooses = side.how.choices.integral == IntegralChoice::Auto && !ready.is_reference;
         let is_new = ready.integral_for.as_ref() != Some(&side.transfer);
-        // While the function is being changed, the last choice does.
-        if chooses && is_new && (!wanted.is_moving || ready.integral_for.is_none()) {
-            let chosen = choose_integral(&mut *ready.renderer, frame, side.how.tolerance)?;
-            ready.integral_for = Some(side.transfer.clone());
-            ready.integral_note = format!("{}: {}", chosen.integral, chosen.why);
+        // While something is being changed, the last choice does, of a renderer before this one, too.
+        let last = self.last_choices.get(number).copied().flatten().filter(|last| last.how == side.how);
+        match last {
+            Some(last) if chooses && is_new && wanted.is_moving => {
+                if ready.integral_for.is_none() {
+                    ready.renderer.set_integral(last.integral);
+                }
+            }
+            _ if chooses && is_new => {
+                let chosen = choose_integral(&mut *ready.renderer, frame, side.how.choices.tolerance)?;
+                ready.integral_for = Some(side.transfer.clone());
+                ready.integral_note = format!("{}: {}", chosen.integral, chosen.why);
+                if let Some(last) = self.last_choices.get_mut(number) {
+                    *last = Some(LastChoice { how: side.how, integral: chosen.integral });
+                }
+            }
+            _ => {}
         }
         Ok(ready)
     }
 
     fn make(&self, wanted: &Wanted, number: usize, side: &Side, frame: &Frame<'_>) -> Result<Ready> {
-        let wish = Wish { device: side.how.device, settings: side.how.settings(), frame, shared: self.shared.as_ref() };
+        let wish = Wish {
+            device: side.how.device,
+            settings: side.how.choices.settings(),
+            frame,
+            shared: self.shared.as_ref(),
+        };
         let Chosen { renderer, note, why, is_reference } =
-            device::renderer(&wanted.mesh, &wish, &ProgressBar::hidden())?;
+            device::renderer(&wanted.mesh, &wish, &listener(&self.slot.watch))?;
         Ok(Ready {
             mesh: Arc::clone(&wanted.mesh),
             how: side.how,

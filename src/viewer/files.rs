@@ -5,19 +5,18 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
-use eframe::egui::{self, Key};
-use indicatif::ProgressBar;
-
-use super::engine::How;
+use super::engine::{How, listener};
+use super::watch::Watch;
 use crate::cli::args::IntegralChoice;
 use crate::cli::device::{self, Wish};
-use crate::cli::output;
+use crate::cli::{legend, output};
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::image::PngEncoding;
 use crate::renderer::{Frame, choose_integral};
 use crate::scene::{Camera, Scene};
 use crate::tet::TetMesh;
+use eframe::egui::{self, Key};
 
 /// What a file is wanted for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,6 +56,10 @@ pub struct Dialog {
     pub size: [u32; 2],
     /// Of a turntable; 1: one picture.
     pub frames: u32,
+    /// The function beside the picture.
+    pub has_legend: bool,
+    /// It was drawn before.
+    is_open: bool,
     browsing: Option<Receiver<Option<PathBuf>>>,
 }
 
@@ -72,7 +75,7 @@ pub enum Answer {
 impl Dialog {
     /// Asks for a file; `name`: what is proposed.
     pub fn new(purpose: Purpose, name: String, size: [u32; 2]) -> Self {
-        Self { purpose, name, size, frames: 1, browsing: None }
+        Self { purpose, name, size, frames: 1, has_legend: false, is_open: false, browsing: None }
     }
 
     /// Where to.
@@ -107,6 +110,10 @@ impl Dialog {
                 field
             });
             let field = field.inner;
+            if !std::mem::replace(&mut self.is_open, true) {
+                field.request_focus();
+            }
+            let is_named = !self.name.trim().is_empty();
             if self.purpose == Purpose::Export {
                 ui.horizontal(|ui| {
                     ui.label("Size");
@@ -116,15 +123,21 @@ impl Dialog {
                     ui.separator();
                     ui.label("Turntable");
                     ui.add(egui::DragValue::new(&mut self.frames).range(1..=3_600).suffix(" frames"));
+                    ui.separator();
+                    ui.checkbox(&mut self.has_legend, "Legend");
                 });
                 ui.weak(".png: 8 bit, sRGB; .exr: 32-bit float, linear. Frames are numbered before the ending.");
             }
-            if field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter)) {
+            if is_named && field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter)) {
                 answer = Some(Answer::Done);
             }
             ui.horizontal(|ui| {
-                let verb = if self.purpose.writes() { "Write" } else { "Open" };
-                if ui.add_enabled(!self.name.trim().is_empty(), egui::Button::new(verb)).clicked() {
+                let verb = match self.purpose.writes() {
+                    true if self.path().is_file() => "Replace",
+                    true => "Write",
+                    false => "Open",
+                };
+                if ui.add_enabled(is_named, egui::Button::new(verb)).clicked() {
                     answer = Some(Answer::Done);
                 }
                 if ui.button("Cancel").clicked() {
@@ -164,6 +177,8 @@ pub struct Export {
     done: Arc<AtomicU32>,
     total: u32,
     is_cancelled: Arc<AtomicBool>,
+    /// Of the picture that is being made.
+    watch: Watch,
 }
 
 /// What is exported.
@@ -179,6 +194,8 @@ pub struct Task {
     pub path: PathBuf,
     /// Of a turntable; 1: one picture.
     pub frames: u32,
+    /// The function beside the picture.
+    pub has_legend: bool,
     /// The window's device, where pictures are made on it, too.
     pub shared: Option<Gpu>,
 }
@@ -189,23 +206,26 @@ impl Export {
         let (sender, result) = channel();
         let (done, is_cancelled) = (Arc::<AtomicU32>::default(), Arc::<AtomicBool>::default());
         let (counted, cancelled, total) = (Arc::clone(&done), Arc::clone(&is_cancelled), task.frames);
+        let watch = Watch::default();
+        let followed = watch.clone();
         std::thread::spawn(move || {
             let step = || {
                 counted.fetch_add(1, Ordering::Relaxed);
                 wake();
                 !cancelled.load(Ordering::Relaxed)
             };
-            let result = write(&task, &step);
+            let result = write(&task, &followed, &step);
             // The window may have been closed.
             let _ = sender.send(result);
             wake();
         });
-        Self { result, done, total, is_cancelled }
+        Self { result, done, total, is_cancelled, watch }
     }
 
-    /// Stops after the picture that is being made.
+    /// Stops after the picture that is being made, or during it if that can be.
     pub fn cancel(&self) {
         self.is_cancelled.store(true, Ordering::Relaxed);
+        self.watch.give_up();
     }
 
     /// Pictures written, and all.
@@ -215,14 +235,25 @@ impl Export {
 
     /// What became of it, once.
     pub fn finished(&self) -> Option<Result<String>> {
-        self.result.try_recv().ok()
+        match self.result.try_recv() {
+            Ok(result) => Some(result),
+            Err(TryRecvError::Empty) => None,
+            Err(TryRecvError::Disconnected) => Some(Err(Error::Device("writing ended without a result".into()))),
+        }
     }
 }
 
 /// Writes all pictures; `step` counts them, and says whether to go on.
-fn write(task: &Task, step: &dyn Fn() -> bool) -> Result<String> {
+fn write(task: &Task, watch: &Watch, step: &dyn Fn() -> bool) -> Result<String> {
     output::check_picture(&task.path)?;
     let scene = Scene::parse(&task.scene, &[])?;
+    if task.has_legend && scene.size[1] < legend::MIN_HEIGHT {
+        let least = legend::MIN_HEIGHT;
+        return Err(Error::Asked(format!(
+            "a legend needs a picture at least {least} pixels high, not {}",
+            scene.size[1]
+        )));
+    }
     let (camera, transfer) = scene.resolve(&*task.mesh)?;
     let first = Frame {
         camera: &camera,
@@ -231,15 +262,20 @@ fn write(task: &Task, step: &dyn Fn() -> bool) -> Result<String> {
         size: scene.size,
         background: scene.premultiplied_background(),
     };
-    let settings = task.how.choices().settings();
+    let part = match &scene.clip {
+        Some(bounds) => Arc::new(task.mesh.clipped_to(bounds)?),
+        None => Arc::clone(&task.mesh),
+    };
+    let settings = task.how.choices.settings();
     let wish = Wish { device: task.how.device, settings, frame: &first, shared: task.shared.as_ref() };
-    let mut chosen = device::renderer(&task.mesh, &wish, &ProgressBar::hidden())?;
-    if task.how.integral == IntegralChoice::Auto && !chosen.is_reference {
-        choose_integral(&mut *chosen.renderer, &first, task.how.tolerance)?;
+    let mut chosen = device::renderer(&part, &wish, &listener(watch))?;
+    if task.how.choices.integral == IntegralChoice::Auto && !chosen.is_reference {
+        choose_integral(&mut *chosen.renderer, &first, task.how.choices.tolerance)?;
     }
     for number in 0..task.frames {
         let camera = turned(&camera, f64::from(number) / f64::from(task.frames));
         let image = chosen.renderer.render(&Frame { camera: &camera, ..first }, false)?.image;
+        let image = if task.has_legend { legend::beside(&image, &*task.mesh, &transfer)? } else { image };
         let path = if task.frames == 1 { task.path.clone() } else { numbered(&task.path, number) };
         output::whole(|| image.write(&path, PngEncoding::Srgb))?;
         if !step() && number + 1 < task.frames {
@@ -255,7 +291,8 @@ fn write(task: &Task, step: &dyn Fn() -> bool) -> Result<String> {
 /// Around what is looked at, by a share of a whole turn.
 fn turned(camera: &Camera, share: f64) -> Camera {
     let turn = glam::DQuat::from_axis_angle(camera.basis().up, share * std::f64::consts::TAU);
-    Camera { eye: camera.target + turn * (camera.eye - camera.target), ..*camera }
+    let up = camera.basis().up;
+    Camera { eye: camera.target + turn * (camera.eye - camera.target), up, ..*camera }
 }
 
 /// `name-0007.png`.

@@ -3,10 +3,10 @@
 use glam::DVec3;
 
 use crate::scene::{
-    Camera, CameraChoice, Curve, CurveNode, Opening, Optics, Projection, Scene, TransferChoice, TransferFunction,
-    Units, Viewpoint, Widget, WidgetShape, suggest,
+    Camera, CameraChoice, Curve, CurveNode, Draft, Opening, Optics, Projection, Scene, TransferChoice,
+    TransferFunction, Units, Viewpoint, Widget, WidgetShape, suggest,
 };
-use crate::space::Interval;
+use crate::space::{Bounds, Interval};
 use crate::tet::{JointHistogram, TetMesh};
 
 /// Which of the two functions is drawn.
@@ -45,6 +45,8 @@ pub struct Look {
     pub optics: Optics,
     /// Linear, straight.
     pub background: [f64; 4],
+    /// What is outside of it is cut off, data space.
+    pub clip: Option<Bounds>,
 }
 
 /// Colours of new widgets, linear: those of Okabe and Ito 2008, told apart with any colour vision.
@@ -75,26 +77,25 @@ impl Look {
             brightness: 1.0,
             optics: Optics::PLAIN,
             background: [0.0, 0.0, 0.0, 1.0],
+            clip: None,
         }
+    }
+
+    fn is_drawn(&self, index: usize) -> bool {
+        self.solo.map_or(!self.items[index].is_hidden, |solo| solo == index)
+    }
+
+    fn brighter(&self, widget: &Widget) -> Widget {
+        Widget { extinction: widget.extinction * self.brightness, ..widget.clone() }
     }
 
     /// What is drawn of one kind, data units.
     pub fn transfer(&self, kind: Kind) -> TransferFunction {
         match kind {
             Kind::Bivariate => {
-                let is_drawn = |i: usize| match self.solo {
-                    Some(solo) => solo == i,
-                    None => !self.items[i].is_hidden,
-                };
-                let brighter =
-                    |widget: &Widget| Widget { extinction: widget.extinction * self.brightness, ..widget.clone() };
-                let mut widgets: Vec<Widget> =
-                    (0..self.items.len()).filter(|&i| is_drawn(i)).map(|i| brighter(&self.items[i].widget)).collect();
-                if widgets.is_empty() {
-                    // Nothing at all.
-                    widgets.push(Widget::new(WidgetShape::Uniform, [0.0; 3], 0.0));
-                }
-                TransferFunction::Widgets(widgets)
+                let drawn = (0..self.items.len()).filter(|&i| self.is_drawn(i));
+                let widgets: Vec<Widget> = drawn.map(|i| self.brighter(&self.items[i].widget)).collect();
+                if widgets.is_empty() { TransferFunction::nothing() } else { TransferFunction::Widgets(widgets) }
             }
             Kind::Univariate => {
                 let brighter = |n: &CurveNode| CurveNode { extinction: n.extinction * self.brightness, ..*n };
@@ -103,8 +104,29 @@ impl Look {
         }
     }
 
-    /// A scene of what is drawn.
-    pub fn scene(&self, camera: &Camera, size: [u32; 2], field: &str) -> Scene {
+    /// What a scene holds beside what is drawn: hidden widgets, and the other kind of function where it is not that of
+    /// `first`.
+    fn draft(&self, first: &Self) -> Option<Draft> {
+        let has_curve = self.kind == Kind::Univariate || self.curve != first.curve;
+        let has_widgets = self.kind == Kind::Bivariate || self.items != first.items;
+        let mut draft = Draft::default();
+        if has_widgets {
+            let all = self.items.iter().enumerate();
+            draft.widgets = all.map(|(index, item)| (self.brighter(&item.widget), !self.is_drawn(index))).collect();
+        }
+        if has_curve && let TransferFunction::Curve(curve) = self.transfer(Kind::Univariate) {
+            draft.curve = Some(curve);
+        }
+        if self.kind == Kind::Bivariate && self.items.is_empty() && draft.curve.is_some() {
+            // No widgets are drawn beside the curve: a file says so by one that shows nothing.
+            draft.widgets.push((Widget::new(WidgetShape::Uniform, [0.0; 3], 0.0), false));
+        }
+        let is_more = draft.curve.is_some() && !draft.widgets.is_empty();
+        (is_more || draft.widgets.iter().any(|(_, is_hidden)| *is_hidden)).then_some(draft)
+    }
+
+    /// A scene of what is drawn, and of what is not, where that was made: `first` is what the window began with.
+    pub fn scene(&self, camera: &Camera, size: [u32; 2], field: &str, first: &Self) -> Scene {
         let opening = match camera.projection {
             Projection::Perspective { fov_y } => Opening::Perspective { fov_y },
             Projection::Orthographic { height } => Opening::Orthographic { height: Some(height) },
@@ -115,14 +137,20 @@ impl Look {
             size,
             background: self.background,
             field: Some(field.to_owned()),
-            transfer: Some(TransferChoice { units: Units::Data, function: self.transfer(self.kind) }),
+            transfer: Some(TransferChoice {
+                units: Units::Data,
+                function: self.transfer(self.kind),
+                draft: self.draft(first),
+            }),
             optics: self.optics,
+            clip: self.clip,
         }
     }
 
     /// Takes what a scene says, for a mesh of these ranges; what it does not name stays.
     pub fn take(&mut self, scene: &Scene, scalar: Interval, gradient: Interval) {
-        (self.optics, self.background, self.brightness, self.solo) = (scene.optics, scene.background, 1.0, None);
+        (self.optics, self.background, self.clip) = (scene.optics, scene.background, scene.clip);
+        (self.brightness, self.solo) = (1.0, None);
         match scene.transfer.as_ref().map(|choice| choice.resolve(scalar, gradient)) {
             Some(TransferFunction::Widgets(widgets)) => {
                 self.items = widgets.into_iter().map(|widget| Item { widget, is_hidden: false }).collect();
@@ -130,6 +158,10 @@ impl Look {
             }
             Some(TransferFunction::Curve(curve)) => (self.curve, self.kind) = (curve, Kind::Univariate),
             None => {}
+        }
+        if let Some(draft) = scene.transfer.as_ref().and_then(|choice| choice.resolve_draft(scalar, gradient)) {
+            self.items = draft.widgets.into_iter().map(|(widget, is_hidden)| Item { widget, is_hidden }).collect();
+            self.curve = draft.curve.unwrap_or_else(|| self.curve.clone());
         }
     }
 
@@ -217,6 +249,42 @@ pub fn switch_projection(camera: &mut Camera, fov_y: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_not_drawn_is_kept_where_it_was_made() {
+        let widget =
+            |extinction| Item { widget: Widget::new(WidgetShape::Uniform, [1.0; 3], extinction), is_hidden: false };
+        let range = Interval { min: 0.0, max: 2.0 };
+        let first = Look {
+            kind: Kind::Bivariate,
+            items: vec![widget(1.0), widget(2.0)],
+            solo: None,
+            curve: ramp(range, 3.0),
+            brightness: 1.0,
+            optics: Optics::PLAIN,
+            background: [0.0; 4],
+            clip: None,
+        };
+        let saved = |look: &Look| look.scene(&camera(), [4, 4], "f", &first);
+        assert_eq!(saved(&first).transfer.expect("a function").draft, None, "nothing was made that is not drawn");
+        let mut look = first.clone();
+        look.items[0].is_hidden = true;
+        look.curve.nodes[1].extinction = 9.0;
+        look.brightness = 2.0;
+        look.clip = Some(Bounds { min: DVec3::ZERO, max: DVec3::ONE });
+        for kind in [Kind::Bivariate, Kind::Univariate] {
+            look.kind = kind;
+            let scene = Scene::parse(&saved(&look).to_toml(), &[]).expect("a scene");
+            let mut taken = first.clone();
+            taken.take(&scene, range, range);
+            // What was brighter is denser.
+            assert_eq!((taken.kind, taken.clip, taken.brightness), (kind, look.clip, 1.0));
+            assert_eq!(taken.transfer(kind), look.transfer(kind));
+            assert_eq!(taken.curve.nodes[1].extinction, 18.0);
+            let kept: Vec<_> = taken.items.iter().map(|item| (item.widget.extinction, item.is_hidden)).collect();
+            assert_eq!(kept, [(2.0, true), (4.0, false)], "{kind:?}");
+        }
+    }
 
     fn camera() -> Camera {
         let (eye, target, up) = (DVec3::new(10.0, 2.0, 1.0), DVec3::new(1.0, 1.0, 1.0), DVec3::Z);

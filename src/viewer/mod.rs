@@ -6,6 +6,9 @@
 
 mod app;
 mod canvas;
+mod clip_box;
+mod clipping;
+mod clock;
 mod curve;
 mod editor;
 mod engine;
@@ -17,7 +20,9 @@ mod opened;
 mod panels;
 mod path;
 mod plot;
+mod refine;
 mod screen;
+mod watch;
 
 use std::ffi::OsString;
 
@@ -39,15 +44,11 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
 
 /// What the command line asked for.
 fn start(args: &ViewArgs) -> Start {
-    let choices = args.choices;
-    let how = How {
-        device: args.device,
-        method: choices.method,
+    let mut how = How { device: args.device, choices: args.choices };
+    if how.choices.integral == IntegralChoice::default() {
         // What is still is made again and again: the cheapest that holds the tolerance.
-        integral: if choices.integral == IntegralChoice::default() { IntegralChoice::Auto } else { choices.integral },
-        order: choices.order,
-        tolerance: choices.tolerance,
-    };
+        how.choices.integral = IntegralChoice::Auto;
+    }
     Start { mesh: args.mesh.clone(), field: args.field.clone(), scene: args.scene.clone(), how }
 }
 

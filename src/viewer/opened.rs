@@ -8,6 +8,7 @@ use crate::cli::args::SourceArgs;
 use crate::cli::load;
 use crate::error::Result;
 use crate::mesh::ArrayChoice;
+use crate::space::Bounds;
 use crate::tet::{JointHistogram, TetMesh};
 
 /// Bins of the histogram that is drawn on.
@@ -22,8 +23,10 @@ pub struct Opened {
     pub fields: Vec<String>,
     /// The mesh.
     pub mesh: Arc<TetMesh>,
-    /// Of the field.
+    /// Of the field; it knows the ranges of both axes.
     pub histogram: Arc<JointHistogram>,
+    /// Of the mesh, data space.
+    pub bounds: Bounds,
     /// What was left out or guessed.
     pub notes: Vec<String>,
 }
@@ -43,7 +46,8 @@ impl Opened {
             .collect();
         let (mesh, census) = load::cut(read, &source, field)?;
         let histogram = Arc::new(JointHistogram::new(&mesh, BINS));
-        Ok(Self { path: path.to_owned(), fields, mesh: Arc::new(mesh), histogram, notes: census.notes })
+        let bounds = mesh.bounds_in_data();
+        Ok(Self { path: path.to_owned(), fields, mesh: Arc::new(mesh), histogram, bounds, notes: census.notes })
     }
 }
 

@@ -13,7 +13,7 @@ use crate::renderer::{LEAST_TOLERANCE, SegmentIntegral};
 use crate::scene::{
     EmissionModel, LightSpace, Lighting, MAX_WIDGETS, Silhouette, SilhouetteMode, SinusoidVariant, Widget, WidgetShape,
 };
-use crate::space::Interval;
+use crate::space::{Bounds, Interval};
 
 /// A number of any size, of which a pull changes a hundredth.
 fn number(ui: &mut Ui, value: &mut f64, name: &str, step: f64) -> egui::Response {
@@ -23,8 +23,9 @@ fn number(ui: &mut Ui, value: &mut f64, name: &str, step: f64) -> egui::Response
 
 /// A number that is not negative, and of any order of magnitude.
 fn positive(ui: &mut Ui, value: &mut f64, name: &str) -> egui::Response {
+    let digits = if *value > 0.0 { (6 - value.log10().floor() as i32).clamp(3, 40) as usize } else { 9 };
     let speed = (0.01 * *value).max(1e-12);
-    let drag = DragValue::new(value).speed(speed).range(0.0..=f64::MAX).max_decimals(9);
+    let drag = DragValue::new(value).speed(speed).range(0.0..=f64::MAX).max_decimals(digits);
     ui.add(drag).on_hover_text(name)
 }
 
@@ -123,7 +124,7 @@ fn shape_name(widget: &Widget) -> &'static str {
 }
 
 fn numbers(ui: &mut Ui, item: &mut Item, opened: &Opened) {
-    let (s, g) = (opened.mesh.scalar_range(), opened.mesh.gradient_range());
+    let (s, g) = (opened.histogram.scalar, opened.histogram.gradient);
     let steps = [s.length() / 500.0, g.length() / 500.0];
     let widget = &mut item.widget;
     egui::Grid::new("numbers").num_columns(2).show(ui, |ui| {
@@ -132,7 +133,7 @@ fn numbers(ui: &mut Ui, item: &mut Item, opened: &Opened) {
             positive(ui, &mut widget.extinction, "Where the profile is 1, 1 / data length");
             if widget.extinction > 0.0 {
                 // What people can see of the number.
-                let half = std::f64::consts::LN_2 / widget.extinction / opened.mesh.bounds_in_data().diagonal();
+                let half = std::f64::consts::LN_2 / widget.extinction / opened.bounds.diagonal();
                 ui.weak(format!("half opaque after {:.2} % of the diagonal", 100.0 * half));
             }
         });
@@ -226,7 +227,8 @@ fn knotted(ui: &mut Ui, knots: &mut Vec<[f64; 2]>, step: f64) {
     for knot in knots.iter_mut() {
         ui.horizontal(|ui| {
             number(ui, &mut knot[0], "Where, along the direction", step);
-            ui.add(DragValue::new(&mut knot[1]).speed(0.01).range(0.0..=1e3)).on_hover_text("Weight");
+            ui.add(DragValue::new(&mut knot[1]).speed(0.01).range(0.0..=1e3).clamp_existing_to_range(false))
+                .on_hover_text("Weight");
         });
     }
     if ui.small_button("add a knot").clicked()
@@ -255,7 +257,7 @@ fn limits(ui: &mut Ui, range: &mut Option<[f64; 2]>, all: Interval, step: f64) {
 
 /// The curve's colour maps and the numbers of its selected point.
 pub fn curve(ui: &mut Ui, editor: &curve::CurveEditor, look: &mut Look, opened: &Opened) {
-    let range = opened.mesh.scalar_range();
+    let range = opened.histogram.scalar;
     ui.horizontal(|ui| {
         ui.menu_button("Colour map", |ui| {
             for (name, map) in &curve::MAPS {
@@ -304,7 +306,8 @@ pub fn optics(ui: &mut Ui, look: &mut Look, backdrop: &mut Backdrop) {
                 (&mut light.specular, "specular"),
                 (&mut light.shininess, "shininess"),
             ] {
-                ui.add(DragValue::new(value).speed(0.02).range(1e-3..=500.0)).on_hover_text(name);
+                let drag = DragValue::new(value).speed(0.02).range(0.0..=500.0).clamp_existing_to_range(false);
+                ui.add(drag).on_hover_text(name);
             }
         });
     }
@@ -315,7 +318,10 @@ pub fn optics(ui: &mut Ui, look: &mut Look, backdrop: &mut Backdrop) {
     }
     if let Some(silhouette) = &mut look.optics.silhouette {
         ui.horizontal(|ui| {
-            ui.add(DragValue::new(&mut silhouette.exponent).speed(0.05).range(0.01..=100.0)).on_hover_text("exponent");
+            ui.add(
+                DragValue::new(&mut silhouette.exponent).speed(0.05).range(0.01..=100.0).clamp_existing_to_range(false),
+            )
+            .on_hover_text("exponent");
             ui.add(DragValue::new(&mut silhouette.strength).speed(0.01).range(0.0..=1.0)).on_hover_text("strength");
             ui.selectable_value(&mut silhouette.mode, SilhouetteMode::Opacity, "opacity");
             ui.selectable_value(&mut silhouette.mode, SilhouetteMode::Depth, "depth");
@@ -334,6 +340,29 @@ pub fn optics(ui: &mut Ui, look: &mut Look, backdrop: &mut Backdrop) {
     });
 }
 
+/// The clipping box, by numbers; in the picture its sides are pulled.
+pub fn clipping(ui: &mut Ui, look: &mut Look, bounds: &Bounds) {
+    let mut is_clipped = look.clip.is_some();
+    if ui.checkbox(&mut is_clipped, "Clipping box (I)").on_hover_text("Pull the dots on its sides").changed() {
+        look.clip = is_clipped.then_some(*bounds);
+    }
+    let Some(clip) = &mut look.clip else { return };
+    egui::Grid::new("clip").num_columns(3).show(ui, |ui| {
+        for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+            let step = (bounds.max[axis] - bounds.min[axis]) / 500.0;
+            ui.label(name);
+            let [mut low, mut high] = [clip.min[axis], clip.max[axis]];
+            number(ui, &mut low, "From, data units", step);
+            number(ui, &mut high, "To, data units", step);
+            [low, high] = [low, high].map(|v| v.clamp(bounds.min[axis], bounds.max[axis]));
+            if low < high {
+                (clip.min[axis], clip.max[axis]) = (low, high);
+            }
+            ui.end_row();
+        }
+    });
+}
+
 /// Device, method, integral, order, tolerance. `name`: which of two.
 pub fn how(ui: &mut Ui, how: &mut How, name: &str) {
     egui::Grid::new(("how", name)).num_columns(2).show(ui, |ui| {
@@ -348,26 +377,26 @@ pub fn how(ui: &mut Ui, how: &mut How, name: &str) {
             ui,
             name,
             "method",
-            &mut how.method,
+            &mut how.choices.method,
             &[Method::Auto, Method::Project, Method::Cellcast, Method::Raycast],
         );
         choice(
             ui,
             name,
             "order",
-            &mut how.order,
+            &mut how.choices.order,
             &[Order::Auto, Order::Centroid, Order::Power, Order::Mpvonc, Order::Exact, Order::PerPixel],
         );
         ui.label("integral");
-        let text = how.integral.to_string();
+        let text = how.choices.integral.to_string();
         ComboBox::from_id_salt(("integral", name)).selected_text(text).show_ui(ui, |ui| {
             for integral in INTEGRALS {
-                ui.selectable_value(&mut how.integral, integral, integral.to_string());
+                ui.selectable_value(&mut how.choices.integral, integral, integral.to_string());
             }
         });
         ui.end_row();
         ui.label("tolerance");
-        ui.add(DragValue::new(&mut how.tolerance).speed(1e-4).range(LEAST_TOLERANCE..=1.0).max_decimals(6))
+        ui.add(DragValue::new(&mut how.choices.tolerance).speed(1e-4).range(LEAST_TOLERANCE..=1.0).max_decimals(6))
             .on_hover_text("What a channel may err by, where something is chosen");
         ui.end_row();
     });

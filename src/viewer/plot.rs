@@ -51,14 +51,34 @@ pub fn to_pos(point: [f64; 2]) -> Pos2 {
     pos2(point[0] as f32, point[1] as f32)
 }
 
-/// Round numbers within a range, about so many.
-pub fn ticks(low: f64, high: f64, count: f64) -> Vec<f64> {
+/// Ticks of a plot of this size, along each axis.
+fn counts(rect: Rect) -> [f64; 2] {
+    [f64::from(rect.width()) / 70.0, f64::from(rect.height()) / 40.0]
+}
+
+/// The place nearest to a point (of the screen) at which both axes have a tick, or half of one.
+pub fn snapped(point: [f64; 2], rect: Rect, shown: [[f64; 2]; 2]) -> [f64; 2] {
+    let (map, counts) = (map(rect, shown), counts(rect));
+    let data = map.data(point);
+    map.point([0, 1].map(|axis| match step(shown[axis][0], shown[axis][1], counts[axis]) {
+        Some(step) => (2.0 * data[axis] / step).round() * step / 2.0,
+        None => data[axis],
+    }))
+}
+
+/// A round number, about so many of which fill a range.
+fn step(low: f64, high: f64, count: f64) -> Option<f64> {
     let rough = (high - low) / count;
     if !(rough > 0.0 && rough.is_finite()) {
-        return Vec::new();
+        return None;
     }
     let power = 10f64.powf(rough.log10().floor());
-    let step = [1.0, 2.0, 5.0, 10.0].map(|m| m * power).into_iter().find(|&s| s >= rough).unwrap_or(10.0 * power);
+    Some([1.0, 2.0, 5.0, 10.0].map(|m| m * power).into_iter().find(|&s| s >= rough).unwrap_or(10.0 * power))
+}
+
+/// Round numbers within a range, about so many.
+pub fn ticks(low: f64, high: f64, count: f64) -> Vec<f64> {
+    let Some(step) = step(low, high, count) else { return Vec::new() };
     let first = (low / step).ceil();
     let steps = ((high / step).floor() - first).clamp(-1.0, 100.0) as i64;
     (0..=steps).map(|i| (first + i as f64) * step).collect()
@@ -85,12 +105,13 @@ pub fn axes(painter: &Painter, rect: Rect, shown: [[f64; 2]; 2], names: [&str; 2
     let font = FontId::proportional(10.5);
     let stroke = Stroke::new(1.0, ink);
     painter.rect_stroke(rect, 0.0, stroke, eframe::egui::StrokeKind::Outside);
-    for s in ticks(shown[0][0], shown[0][1], f64::from(rect.width()) / 70.0) {
+    let counts = counts(rect);
+    for s in ticks(shown[0][0], shown[0][1], counts[0]) {
         let at = to_pos(map.point([s, shown[1][0]]));
         painter.line_segment([at, at + vec2(0.0, 4.0)], stroke);
         painter.text(at + vec2(0.0, 5.0), Align2::CENTER_TOP, short(s), font.clone(), ink);
     }
-    for g in ticks(shown[1][0], shown[1][1], f64::from(rect.height()) / 40.0) {
+    for g in ticks(shown[1][0], shown[1][1], counts[1]) {
         let at = to_pos(map.point([shown[0][0], g]));
         painter.line_segment([at, at - vec2(4.0, 0.0)], stroke);
         painter.text(at - vec2(5.0, 0.0), Align2::RIGHT_CENTER, short(g), font.clone(), ink);
@@ -110,6 +131,15 @@ mod tests {
         assert_eq!(ticks(1.0, 1.0, 5.0), [0.0; 0]);
         assert_eq!(ticks(0.0, f64::INFINITY, 5.0), [0.0; 0]);
         assert!(ticks(4.2e5, 4.3e5, 4.0).iter().all(|t| (4.2e5..=4.3e5).contains(t)));
+    }
+
+    #[test]
+    fn places_snap_to_ticks_or_halves() {
+        let rect = Rect::from_min_size(pos2(10.0, 20.0), vec2(350.0, 200.0));
+        let shown = [[0.0, 10.0], [0.0, 1.0]];
+        let map = map(rect, shown);
+        let got = map.data(snapped(map.point([3.4, 0.37]), rect, shown));
+        assert!((got[0] - 3.0).abs() < 1e-9 && (got[1] - 0.4).abs() < 1e-9, "{got:?}");
     }
 
     #[test]

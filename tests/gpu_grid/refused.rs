@@ -120,7 +120,7 @@ fn the_command_line_tells_what_to_do() {
         (&[][..], true),
         (&["--method", "project"], true),
         (&["--method", "raycast", "--split", "5"], true),
-        (&["--clip", "1,0,0,2,2,2"], true),
+        (&["--clip", "1,0,0,2,2,2"], false),
         (&["--split", "6"], false),
         (&["--method", "cellcast"], false),
         (&["--order", "centroid"], false),
@@ -130,5 +130,8 @@ fn the_command_line_tells_what_to_do() {
         assert!(code == 0 && text.contains("in the grid") == is_grid, "{more:?}: {code}: {text}");
     }
     let (code, text) = on("gpu", &fire, &["--clip", "0,0,0,1,1,1"]);
-    assert!(code == 2 && text.contains("--clip takes a rectilinear grid"), "{code}: {text}");
+    assert!(code == 2 && text.contains("nothing of the mesh lies in the box"), "{code}: {text}");
+    let voxels = [&cube[..], &["--order", "structured", "--clip", "1,0,0,2,2,2"]].concat();
+    let (code, text) = on("gpu", &raw, &voxels);
+    assert!(code == 0, "{code}: {text}");
 }

@@ -1,6 +1,7 @@
 //! What a `TetMesh` promises, and what its census tells.
 
 mod census;
+mod clip;
 mod data;
 mod field;
 mod histogram;

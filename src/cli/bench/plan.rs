@@ -226,6 +226,12 @@ fn scene_of(scene: &SceneEntry, view: &ViewEntry) -> Result<Scene> {
         transfer.insert("units".into(), "normalized".into());
     }
     keys.insert("camera".into(), view.camera.clone().into());
+    if keys.contains_key("clip") {
+        return Err(Error::Asked(format!(
+            "scene '{}': a plan's meshes are measured whole: leave out clip",
+            scene.name
+        )));
+    }
     Scene::parse(&keys.to_string(), &[])
 }
 

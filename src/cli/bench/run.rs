@@ -255,8 +255,9 @@ fn make(mesh: &Arc<TetMesh>, choice: Choice, scenery: &Scenery) -> Result<Ready>
     let settings = ChoiceArgs::of(method, order, integral).settings();
     let frame = subject::frame(&scenery.shot, scenery.subject.size);
     let wish = Wish { device, settings, frame: &frame, shared: None };
+    let unheard: device::Listener = Arc::new(|_| true);
     let start = Instant::now();
-    let chosen = device::renderer(mesh, &wish, &ProgressBar::hidden())?;
+    let chosen = device::renderer(mesh, &wish, &unheard)?;
     let made = start.elapsed();
     Ok(Ready { renderer: chosen.renderer, why: chosen.why, is_reference: chosen.is_reference, made })
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use eframe::egui::Context;
 
 use super::App;
-use crate::cli::args::{Device, IntegralChoice, Method, Order, name_of};
+use crate::cli::args::{ChoiceArgs, Device, IntegralChoice, Method, Order, name_of};
 use crate::cli::output;
 use crate::tet::Domain as _;
 use crate::viewer::files::{Dialog, Export, Purpose, Task};
@@ -33,17 +33,19 @@ impl App {
             self.say("open a mesh first");
             return;
         }
-        self.dialog = Some(Dialog::new(purpose, name, self.canvas.size));
+        let mut dialog = Dialog::new(purpose, name, self.canvas.size);
+        dialog.has_legend = self.has_legend;
+        self.dialog = Some(dialog);
     }
 
     pub(super) fn answered(&mut self, ctx: &Context, dialog: &Dialog) {
         let path = dialog.path();
         match (dialog.purpose, &mut self.sitting) {
             (Purpose::OpenMesh, _) => self.open(ctx, path, None),
-            (Purpose::OpenScene, _) => self.take_scene(&path),
+            (Purpose::OpenScene, _) => self.take_scene(ctx, &path),
             (Purpose::SaveScene, Some(sitting)) => {
                 let field = sitting.opened.mesh.field().to_owned();
-                let text = sitting.look.scene(&sitting.camera, self.canvas.size, &field).to_toml();
+                let text = sitting.look.scene(&sitting.camera, self.canvas.size, &field, &sitting.first).to_toml();
                 let saved = output::check_file(&path, &["toml"]).and_then(|()| output::write_whole(&path, &text));
                 if saved.is_ok() {
                     sitting.file = Some(path.clone());
@@ -51,14 +53,16 @@ impl App {
                 let said = saved.map_or_else(|error| error.to_string(), |()| format!("saved {}", path.display()));
                 self.say(said);
             }
+            (Purpose::Export, Some(_)) if self.export.is_some() => self.say("a picture is being written already"),
             (Purpose::Export, Some(sitting)) => {
                 let field = sitting.opened.mesh.field().to_owned();
                 let task = Task {
                     mesh: Arc::clone(&sitting.opened.mesh),
-                    scene: sitting.look.scene(&sitting.camera, dialog.size, &field).to_toml(),
+                    scene: sitting.look.scene(&sitting.camera, dialog.size, &field, &sitting.first).to_toml(),
                     how: self.how[0],
                     path,
                     frames: dialog.frames,
+                    has_legend: dialog.has_legend,
                     shared: self.shared.clone(),
                 };
                 let again = ctx.clone();
@@ -75,15 +79,26 @@ impl App {
         let how = self.how[0];
         let mut text =
             format!("tetralux render {} --scene {} -o picture.png", quoted(&sitting.opened.path), quoted(&scene));
+        let (choices, default) = (how.choices, ChoiceArgs::of(Method::Auto, Order::Auto, IntegralChoice::default()));
         let flags = [
             ("device", name_of(how.device), name_of(Device::Auto)),
-            ("method", name_of(how.method), name_of(Method::Auto)),
-            ("order", name_of(how.order), name_of(Order::Auto)),
-            ("integral", how.integral.to_string(), IntegralChoice::default().to_string()),
-            ("tolerance", how.tolerance.to_string(), crate::renderer::TOLERANCE.to_string()),
+            ("method", name_of(choices.method), name_of(default.method)),
+            ("order", name_of(choices.order), name_of(default.order)),
+            ("integral", choices.integral.to_string(), default.integral.to_string()),
+            ("tolerance", choices.tolerance.to_string(), default.tolerance.to_string()),
+            ("sort", name_of(choices.sort), name_of(default.sort)),
+            ("blend", name_of(choices.blend), name_of(default.blend)),
+            ("layout", name_of(choices.layout), name_of(default.layout)),
+            ("least-transmittance", choices.least_transmittance.to_string(), default.least_transmittance.to_string()),
         ];
         for (flag, value, _) in flags.into_iter().filter(|(_, value, default)| value != default) {
             text.push_str(&format!(" --{flag} {value}"));
+        }
+        if choices.no_cull {
+            text.push_str(" --no-cull");
+        }
+        if self.has_legend {
+            text.push_str(" --legend");
         }
         Some(text)
     }

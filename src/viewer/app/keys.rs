@@ -28,15 +28,24 @@ impl App {
                 self.ask(purpose);
             }
         }
-        if let (Some(sitting), Some(index)) = (&mut self.sitting, self.editor.selected) {
+        let kind = self.sitting.as_ref().map(|sitting| sitting.look.kind);
+        if let (Some(Kind::Univariate), Some(sitting)) = (kind, &mut self.sitting)
+            && (pressed(Modifiers::NONE, Key::Delete) || pressed(Modifiers::NONE, Key::Backspace))
+        {
+            self.curve.delete(&mut sitting.look.curve);
+        }
+        // What is not seen is not changed.
+        if let (Some(Kind::Bivariate), Some(sitting), Some(index)) = (kind, &mut self.sitting, self.editor.selected) {
             if pressed(Modifiers::COMMAND, Key::D) {
                 panels::apply(Todo::Copy(index), &mut self.editor, &mut sitting.look);
             }
+            let index = self.editor.selected.unwrap_or(index);
             if pressed(Modifiers::NONE, Key::Delete) || pressed(Modifiers::NONE, Key::Backspace) {
                 panels::apply(Todo::Delete(index), &mut self.editor, &mut sitting.look);
             }
-            if pressed(Modifiers::NONE, Key::H) {
-                let item = &mut sitting.look.items[index];
+            if let Some(item) = self.editor.selected.and_then(|index| sitting.look.items.get_mut(index))
+                && pressed(Modifiers::NONE, Key::H)
+            {
                 item.is_hidden = !item.is_hidden;
             }
         }
@@ -47,6 +56,8 @@ impl App {
         }
         if pressed(Modifiers::NONE, Key::Escape) {
             (self.editor.tool, self.editor.brush, self.editor.selected) = (Tool::Move, None, None);
+            (self.canvas.is_choosing, self.refining, self.refined) = (false, None, None);
+            self.canvas.show_part(ctx, None);
         }
         if let Some(sitting) = &mut self.sitting {
             if pressed(Modifiers::NONE, Key::F) {
@@ -54,6 +65,15 @@ impl App {
             }
             if pressed(Modifiers::NONE, Key::P) {
                 look::switch_projection(&mut sitting.camera, FOV_Y);
+            }
+            if pressed(Modifiers::NONE, Key::I) {
+                sitting.look.clip = if sitting.look.clip.is_none() { Some(sitting.opened.bounds) } else { None };
+            }
+            if pressed(Modifiers::NONE, Key::L) {
+                self.has_legend = !self.has_legend;
+            }
+            if pressed(Modifiers::NONE, Key::E) {
+                self.canvas.is_choosing = !self.canvas.is_choosing;
             }
             if pressed(Modifiers::NONE, Key::K) {
                 sitting.look.kind = other(sitting.look.kind);
@@ -91,13 +111,16 @@ pub(super) fn help(ctx: &Context, is_open: &mut bool) {
             ("Zoom", "wheel, two fingers, pinch"),
             ("Roll it", "Ctrl and drag"),
             ("Fly", "arrow keys, Page Up, Page Down over the picture"),
-            ("Fit, parallel rays, box", "F, P, X"),
+            ("Fit, parallel rays, box, legend", "F, P, X, L"),
+            ("Clipping box", "I; pull the dots on its sides"),
+            ("The reference of a part", "E, then drag a box on the picture"),
             ("1D or 2D function, compare", "K, C"),
             ("Tools on the histogram", "V move, G Gaussian, T triangle, S sinusoid, U box, R ramp, B brush"),
             ("Zoom the histogram, move it", "wheel; right button, or Shift and drag; double click: all"),
             ("Widget: copy, hide, delete", "Ctrl+D, H, Delete"),
             ("Undo, redo", "Ctrl+Z, Ctrl+Y"),
             ("Open, save the scene, export", "Ctrl+O, Ctrl+S, Ctrl+E"),
+            ("Larger and smaller letters", "Ctrl+plus, Ctrl+minus, Ctrl+0"),
             ("Let go", "Escape"),
         ] {
             ui.horizontal(|ui| {

@@ -24,6 +24,8 @@ impl App {
                     self.undo(History::redo);
                     ui.close();
                 }
+                ui.separator();
+                ui.checkbox(&mut self.editor.snaps, "Snap to the histogram's ticks");
             });
             ui.menu_button("View", |ui| self.view_menu(ui));
             ui.menu_button("Suggest", |ui| self.suggest_menu(ui));
@@ -38,6 +40,13 @@ impl App {
                 ui.separator();
                 ui.radio_value(&mut self.canvas.together, Together::Split, "Side by side");
                 ui.radio_value(&mut self.canvas.together, Together::Difference, "Difference × 16");
+                ui.separator();
+                let reference = egui::Button::new("The reference, of a part").shortcut_text("E");
+                let help = "Drag a box on the picture: its pixels in f64, and how far the picture is from them";
+                if ui.add(reference).on_hover_text(help).clicked() {
+                    self.canvas.is_choosing = true;
+                    ui.close();
+                }
             });
             if ui.button("Help").clicked() {
                 self.has_help = !self.has_help;
@@ -77,6 +86,11 @@ impl App {
             look::switch_projection(&mut sitting.camera, FOV_Y);
         }
         ui.checkbox(&mut self.canvas.has_box, "Box (X)");
+        ui.checkbox(&mut self.has_legend, "Legend (L)");
+        let mut is_clipped = sitting.look.clip.is_some();
+        if ui.checkbox(&mut is_clipped, "Clipping box (I)").changed() {
+            sitting.look.clip = is_clipped.then(|| sitting.opened.bounds);
+        }
         ui.separator();
         for (name, away) in [("Along x", glam::DVec3::X), ("Along y", glam::DVec3::Y), ("Along z", glam::DVec3::Z)] {
             if ui.button(name).clicked() {

@@ -3,35 +3,36 @@
 mod documents;
 mod keys;
 mod menus;
+mod pictures;
 mod status;
 #[cfg(all(test, feature = "viewer-test"))]
 mod tests;
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::mpsc::{Receiver, channel};
-use std::time::Duration;
+use std::sync::mpsc::Receiver;
 
 use eframe::egui::{self, Context, Panel, Ui};
 
 use crate::cli::args::{IntegralChoice, name_of};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::image::{Comparison, Image};
 use crate::renderer::SegmentIntegral;
-use crate::scene::{self, Camera, Projection, Scene, Widget, WidgetShape};
+use crate::scene::{Camera, Projection, Scene, TransferFunction};
 use crate::tet::Domain as _;
-use crate::viewer::canvas::Canvas;
+use crate::viewer::canvas::{Canvas, Scenery};
+use crate::viewer::clipping::Clipper;
+use crate::viewer::clock::Clock;
 use crate::viewer::curve::CurveEditor;
 use crate::viewer::editor::{Editor, Tool};
-use crate::viewer::engine::{Engine, How, Shown, Side, Wanted};
+use crate::viewer::engine::{Engine, How, Shown};
 use crate::viewer::files::{Answer, Dialog, Export};
 use crate::viewer::history::History;
 use crate::viewer::look::{Kind, Look};
 use crate::viewer::opened::{Loading, Opened};
 use crate::viewer::panels;
-use crate::viewer::path;
-use crate::viewer::screen::{self, Backdrop};
+use crate::viewer::refine::{Refined, Refining};
+use crate::viewer::screen::Backdrop;
 
 /// Full vertical angle of a new camera, radians.
 const FOV_Y: f64 = std::f64::consts::FRAC_PI_6;
@@ -65,6 +66,8 @@ pub struct Start {
 struct Sitting {
     opened: Opened,
     look: Look,
+    /// What the window began with.
+    first: Look,
     history: History<Look>,
     camera: Camera,
     /// The scene's file, once there is one.
@@ -81,15 +84,34 @@ pub struct App {
     how: [How; 2],
     compare: Compare,
     backdrop: Backdrop,
+    /// What the pictures were last drawn before.
+    drawn_before: (Backdrop, [f32; 4]),
+    /// Makes pictures of the screen: the common threads may be busy for long.
+    threads: rayon::ThreadPool,
     pictures: Vec<Image>,
     shown: Option<Shown>,
     /// What is shown is the last that was wanted.
     is_answered: bool,
+    /// It is not to be made any more.
+    is_given_up: bool,
     compared: Option<Comparison>,
     /// Values along the ray under the pointer.
     path: Vec<[f64; 2]>,
     path_of: Option<([f64; 2], Camera)>,
     following: Option<Receiver<Vec<[f64; 2]>>>,
+    clipper: Clipper,
+    /// What is drawn is what the clipping box leaves.
+    is_cut: bool,
+    /// The reference's part of the picture that is being made.
+    refining: Option<Refining>,
+    /// How the picture compared with it.
+    refined: Option<Refined>,
+    /// The function's axes and colours are shown beside the picture.
+    has_legend: bool,
+    /// Of what, and how high.
+    legend_of: Option<(TransferFunction, u32)>,
+    clock: Clock,
+    title: String,
     loading: Option<Loading>,
     /// What is taken once a mesh is there.
     scene_file: Option<PathBuf>,
@@ -108,6 +130,8 @@ impl App {
     pub fn new(ctx: &Context, start: Start, shared: Option<Gpu>) -> Result<Self> {
         let again = ctx.clone();
         let engine = Engine::new(shared.clone(), move || again.request_repaint())?;
+        let threads = rayon::ThreadPoolBuilder::new().build();
+        let threads = threads.map_err(|e| Error::Device(format!("no threads can be made to draw on: {e}")))?;
         let mut app = Self {
             sitting: None,
             editor: Editor::default(),
@@ -117,13 +141,24 @@ impl App {
             how: [start.how; 2],
             compare: Compare::Off,
             backdrop: Backdrop::Plain,
+            drawn_before: (Backdrop::Plain, [0.0; 4]),
+            threads,
             pictures: Vec::new(),
             shown: None,
             is_answered: false,
+            is_given_up: false,
             compared: None,
             path: Vec::new(),
             path_of: None,
             following: None,
+            clipper: Clipper::default(),
+            is_cut: true,
+            refining: None,
+            refined: None,
+            has_legend: false,
+            legend_of: None,
+            clock: Clock::default(),
+            title: String::new(),
             loading: None,
             scene_file: start.scene,
             export: None,
@@ -133,16 +168,20 @@ impl App {
             shared,
         };
         // Something to compare with.
-        app.how[1].integral = IntegralChoice::Fixed(SegmentIntegral::VertexLinear);
+        app.how[1].choices.integral = IntegralChoice::Fixed(SegmentIntegral::VertexLinear);
         if let Some(mesh) = start.mesh {
-            app.open(ctx, mesh, start.field);
+            // The scene's own, where nothing else is said; what is wrong with the scene is said when it is taken.
+            let scene = app.scene_file.as_deref().and_then(|path| Scene::read(Some(path), &[]).ok());
+            let field = start.field.or(scene.and_then(|scene| scene.field));
+            app.open(ctx, mesh, field);
         }
         Ok(app)
     }
 
     /// Whether nothing is being done beside the window.
     pub fn is_idle(&self) -> bool {
-        self.loading.is_none() && self.export.is_none() && (self.sitting.is_none() || self.is_answered)
+        let is_busy = self.loading.is_some() || self.export.is_some() || self.refining.is_some();
+        !is_busy && (self.sitting.is_none() || (self.is_answered && self.is_cut))
     }
 
     /// What is edited.
@@ -173,15 +212,15 @@ impl App {
         if let Some(result) = self.loading.as_ref().and_then(Loading::finished) {
             self.loading = None;
             match result {
-                Ok(opened) => self.sit_down(opened),
+                Ok(opened) => self.sit_down(ctx, opened),
                 Err(error) => self.say(error.to_string()),
             }
         }
-        let results: Vec<_> = self.engine.results().collect();
-        for (is_of_last, result) in results {
+        for (is_of_last, result) in self.engine.results() {
             match result {
                 Ok(shown) => {
-                    self.is_answered = is_of_last && shown.is_last;
+                    self.is_given_up &= !(is_of_last && shown.is_last);
+                    self.is_answered = is_of_last && (shown.is_last || self.is_given_up);
                     self.show(ctx, shown);
                 }
                 // What there was stays; nothing better comes until something changes.
@@ -191,6 +230,7 @@ impl App {
                 }
             }
         }
+        self.poll_refining(ctx);
         if let Some(result) = self.export.as_ref().and_then(Export::finished) {
             self.export = None;
             self.say(result.unwrap_or_else(|error| error.to_string()));
@@ -198,34 +238,43 @@ impl App {
         let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|file| file.path().to_owned()));
         if let Some(path) = dropped {
             match path.extension().and_then(|e| e.to_str()) {
-                Some("toml") => self.take_scene(&path),
+                Some("toml") => self.take_scene(ctx, &path),
                 _ => self.open(ctx, path, None),
             }
         }
     }
 
     /// Looks at another mesh; another field of the same file is seen from where the last one was.
-    fn sit_down(&mut self, opened: Opened) {
+    fn sit_down(&mut self, ctx: &Context, opened: Opened) {
         for note in &opened.notes {
             self.messages.push(note.clone());
         }
         let same = |sitting: &Sitting| sitting.opened.path == opened.path;
+        let mut look = Look::of(&opened.mesh, &opened.histogram);
         let camera = match self.sitting.as_ref().filter(|sitting| same(sitting)) {
-            Some(sitting) => sitting.camera,
+            // What does not depend on the field stays.
+            Some(sitting) => {
+                let last = &sitting.look;
+                (look.optics, look.background, look.clip, look.kind) =
+                    (last.optics, last.background, last.clip, last.kind);
+                sitting.camera
+            }
             None => fitted(&opened),
         };
-        let look = Look::of(&opened.mesh, &opened.histogram);
-        let history = History::new(look.clone());
-        self.sitting = Some(Sitting { opened, look, history, camera, file: None });
+        let (first, history) = (look.clone(), History::new(look.clone()));
+        self.sitting = Some(Sitting { opened, look, first, history, camera, file: None });
         self.editor.reset();
         self.canvas.clear();
-        (self.shown, self.is_answered) = (None, false);
+        (self.shown, self.is_answered, self.legend_of) = (None, false, None);
+        (self.refining, self.refined) = (None, None);
+        (self.path_of, self.following) = (None, None);
+        self.path.clear();
         if let Some(scene) = self.scene_file.take() {
-            self.take_scene(&scene);
+            self.take_scene(ctx, &scene);
         }
     }
 
-    fn take_scene(&mut self, path: &Path) {
+    fn take_scene(&mut self, ctx: &Context, path: &Path) {
         let Some(sitting) = &mut self.sitting else {
             self.scene_file = Some(path.to_owned());
             self.say("the scene is taken once a mesh is open");
@@ -234,8 +283,19 @@ impl App {
         let mesh = &sitting.opened.mesh;
         let taken = Scene::read(Some(path), &[]).and_then(|scene| Ok((scene.resolve(&**mesh)?.0, scene)));
         match taken {
+            Ok((_, scene))
+                if scene
+                    .field
+                    .as_ref()
+                    .is_some_and(|named| named != mesh.field() && sitting.opened.fields.contains(named)) =>
+            {
+                // Another field first, and then the scene.
+                self.scene_file = Some(path.to_owned());
+                let mesh = sitting.opened.path.clone();
+                self.open(ctx, mesh, scene.field);
+            }
             Ok((camera, scene)) => {
-                sitting.look.take(&scene, mesh.scalar_range(), mesh.gradient_range());
+                sitting.look.take(&scene, sitting.opened.histogram.scalar, sitting.opened.histogram.gradient);
                 (sitting.camera, sitting.file) = (camera, Some(path.to_owned()));
                 self.editor.selected = None;
                 let field = mesh.field();
@@ -246,53 +306,6 @@ impl App {
             }
             Err(error) => self.say(error.to_string()),
         }
-    }
-
-    fn show(&mut self, ctx: &Context, mut shown: Shown) {
-        self.pictures = std::mem::take(&mut shown.images);
-        self.shown = Some(shown);
-        self.compared = match &self.pictures[..] {
-            [a, b] => Comparison::new(a, b).ok(),
-            _ => None,
-        };
-        self.redraw(ctx);
-    }
-
-    /// The last pictures again, before another backdrop.
-    fn redraw(&mut self, ctx: &Context) {
-        let Some(sitting) = &self.sitting else { return };
-        let [r, g, b, a] = sitting.look.background;
-        let plain = [r * a, g * a, b * a, a].map(|v| v as f32);
-        let mut screens: Vec<_> =
-            self.pictures.iter().map(|image| screen::screen(image, self.backdrop, plain)).collect();
-        if let [a, b] = &self.pictures[..] {
-            screens.push(screen::difference(a, b, DIFFERENCE_TIMES));
-        }
-        self.canvas.show(ctx, screens);
-    }
-
-    /// Asks for what is to be seen.
-    fn want(&mut self) {
-        let Some(sitting) = &self.sitting else { return };
-        let side = |kind: Kind, how: How| Side { transfer: sitting.look.transfer(kind), how };
-        let mut sides = match self.compare {
-            Compare::Off => vec![side(sitting.look.kind, self.how[0])],
-            Compare::Kinds => vec![side(Kind::Univariate, self.how[0]), side(Kind::Bivariate, self.how[0])],
-            Compare::Methods => self.how.map(|how| side(sitting.look.kind, how)).into(),
-        };
-        if let (Some([s, g]), Some(side)) = (self.editor.brush, sides.first_mut()) {
-            side.transfer = brushed(&side.transfer, [s, g], sitting.opened.mesh.bounds_in_data().diagonal());
-        }
-        let wanted = Wanted {
-            mesh: Arc::clone(&sitting.opened.mesh),
-            sides,
-            camera: sitting.camera,
-            optics: sitting.look.optics,
-            size: self.canvas.size,
-            background: [0.0; 4],
-            is_moving: self.canvas.is_moving || self.editor.is_busy() || self.curve.is_busy(),
-        };
-        self.is_answered &= !self.engine.want(wanted);
     }
 
     fn undo(&mut self, by: fn(&mut History<Look>) -> Option<&Look>) {
@@ -329,7 +342,6 @@ impl App {
                 self.curve.ui(ui, &sitting.opened, &mut sitting.look.curve, height);
             }
         }
-        let before = (self.backdrop, sitting.look.background);
         egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             match sitting.look.kind {
                 Kind::Bivariate => panels::widgets(ui, &mut self.editor, &mut sitting.look, &sitting.opened),
@@ -337,6 +349,7 @@ impl App {
             }
             ui.separator();
             panels::optics(ui, &mut sitting.look, &mut self.backdrop);
+            panels::clipping(ui, &mut sitting.look, &sitting.opened.bounds);
             ui.separator();
             ui.collapsing("How pictures are made", |ui| {
                 let is_pair = self.compare == Compare::Methods;
@@ -350,64 +363,44 @@ impl App {
                 }
             });
         });
-        if before != (self.backdrop, sitting.look.background) {
-            self.redraw(ui.ctx());
+    }
+
+    /// The window's title names what is open.
+    fn name_window(&mut self, ctx: &Context) {
+        let title = match &self.sitting {
+            Some(Sitting { opened, .. }) => {
+                let file = opened.path.file_name().unwrap_or_default().to_string_lossy();
+                format!("{file}, {} - tetralux", opened.mesh.field())
+            }
+            None => "tetralux".into(),
+        };
+        if self.title != title {
+            ctx.send_viewport_cmd(egui::ViewportCommand::Title(title.clone()));
+            self.title = title;
         }
     }
 
     fn names(&self) -> Option<[String; 2]> {
-        let method = |how: How| format!("{}, {}, {}", name_of(how.device), name_of(how.method), how.integral);
+        let method =
+            |how: How| format!("{}, {}, {}", name_of(how.device), name_of(how.choices.method), how.choices.integral);
         match self.compare {
             Compare::Off => None,
             Compare::Kinds => Some(["1D".into(), "2D".into()]),
             Compare::Methods => Some(self.how.map(method)),
         }
     }
-
-    /// Marks the ray of a pixel on the histogram, once the pointer rests.
-    fn follow(&mut self, ctx: &Context) {
-        if let Some(path) = self.following.as_ref().and_then(|path| path.try_recv().ok()) {
-            (self.path, self.following) = (path, None);
-        }
-        let Some(sitting) = &self.sitting else { return };
-        let now = self.canvas.hovered.map(|pixel| (pixel, sitting.camera));
-        if now == self.path_of {
-            return;
-        }
-        let is_resting = ctx.input(|i| i.pointer.time_since_last_movement() >= REST.as_secs_f32());
-        if now.is_some() && !is_resting {
-            ctx.request_repaint_after(REST);
-            return;
-        }
-        (self.path_of, self.following) = (now, None);
-        self.path.clear();
-        let Some((pixel, camera)) = now else { return };
-        let (mesh, size) = (Arc::clone(&sitting.opened.mesh), self.canvas.size);
-        let (sender, receiver) = channel();
-        let again = ctx.clone();
-        std::thread::spawn(move || {
-            // The pointer may have gone on.
-            let _ = sender.send(path::along(&mesh, &camera, size, pixel));
-            again.request_repaint();
-        });
-        self.following = Some(receiver);
-    }
 }
-
-/// The pointer rests when it has not moved for so long.
-const REST: Duration = Duration::from_millis(120);
-
-/// Differences are shown so many times as bright.
-const DIFFERENCE_TIMES: f32 = 16.0;
 
 impl eframe::App for App {
     fn logic(&mut self, ctx: &Context, _: &mut eframe::Frame) {
         self.poll(ctx);
     }
 
-    fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
+        self.clock.hear(frame.info().cpu_usage);
         self.keys(&ctx);
+        self.name_window(&ctx);
         Panel::top("menus").show(ui, |ui| self.menus(ui));
         Panel::bottom("status").show(ui, |ui| self.status(ui));
         Panel::right("function").resizable(true).default_size(430.0).size_range(320.0..=900.0).show(ui, |ui| {
@@ -416,8 +409,9 @@ impl eframe::App for App {
         egui::CentralPanel::no_frame().show(ui, |ui| {
             let names = self.names();
             if let Some(sitting) = &mut self.sitting {
-                let bounds = sitting.opened.mesh.bounds_in_data();
-                self.canvas.ui(ui, &mut sitting.camera, &bounds, names);
+                let bounds = sitting.opened.bounds;
+                let scenery = Scenery { bounds, clip: &mut sitting.look.clip, names };
+                self.canvas.ui(ui, &mut sitting.camera, scenery);
             }
         });
         if !self.messages.is_empty() {
@@ -436,11 +430,16 @@ impl eframe::App for App {
             keys::help(&ctx, &mut self.has_help);
         }
         self.follow(&ctx);
-        let is_settled = !ctx.input(|i| i.pointer.any_down()) && !self.editor.is_busy();
+        // A drag is one step, and so is a number that is typed.
+        let is_in_hand = ctx.input(|i| i.pointer.any_down()) || ctx.egui_wants_keyboard_input();
+        let is_settled = !is_in_hand && !self.editor.is_busy();
         if let Some(sitting) = &mut self.sitting {
             sitting.history.observe(&sitting.look, is_settled);
         }
-        self.want();
+        self.redraw_if_needed(&ctx);
+        self.want(&ctx);
+        self.refine(&ctx);
+        self.draw_legend(&ctx, is_settled);
         if self.canvas.is_moving {
             // When it moves no more, the picture is made in full.
             ctx.request_repaint();
@@ -450,22 +449,7 @@ impl eframe::App for App {
 
 /// A camera that sees all of a mesh.
 fn fitted(opened: &Opened) -> Camera {
-    let bounds = opened.mesh.bounds_in_data();
+    let bounds = opened.bounds;
     let projection = Projection::Perspective { fov_y: FOV_Y };
     Camera::fit(&bounds, 1.0, [30f64.to_radians(), 20f64.to_radians()], 1.0, projection)
-}
-
-/// A function and, in white, what lies in a box of its values.
-fn brushed(transfer: &scene::TransferFunction, [s, g]: [[f64; 2]; 2], diagonal: f64) -> scene::TransferFunction {
-    let mark = Widget {
-        scalar_range: Some(s),
-        gradient_range: Some(g),
-        ..Widget::new(WidgetShape::Uniform, [1.0; 3], 200.0 / diagonal)
-    };
-    match transfer {
-        scene::TransferFunction::Widgets(widgets) if widgets.len() < scene::MAX_WIDGETS => {
-            scene::TransferFunction::Widgets(widgets.iter().cloned().chain([mark]).collect())
-        }
-        _ => scene::TransferFunction::Widgets(vec![mark]),
-    }
 }

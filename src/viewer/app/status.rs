@@ -30,11 +30,43 @@ impl App {
             };
             // Nothing here turns: drawing the window takes what pictures are made with.
             let state = match shown.step {
+                _ if !self.is_cut => "the mesh is being cut …".to_owned(),
+                _ if self.is_given_up => "given up".to_owned(),
                 _ if !self.is_answered => "a better one is being made …".to_owned(),
                 1 => "final".to_owned(),
                 step => format!("1/{step} of the pixels along a side"),
             };
-            ui.label(format!("{:.0} ms, {state}", 1e3 * shown.seconds));
+            let text = ui.label(format!("{:.0} ms, {state}", 1e3 * shown.seconds));
+            if let Some([median, most]) = self.clock.median_and_most() {
+                let of_window = format!("the window itself: {:.0} ms a frame, {:.0} at most", 1e3 * median, 1e3 * most);
+                text.on_hover_text(of_window);
+            }
+            if let Some(share) = self.engine.progress().filter(|_| !self.is_answered) {
+                ui.add(egui::ProgressBar::new(share as f32).desired_width(120.0).show_percentage());
+                if ui.small_button("cancel").clicked() {
+                    self.engine.cancel();
+                    (self.is_answered, self.is_given_up) = (true, true);
+                }
+            }
+            let mut is_refining = self.refining.is_some();
+            if let Some(refining) = &self.refining {
+                ui.separator();
+                let [left, top, right, bottom] = refining.area;
+                ui.label(format!("reference of {} × {} pixels", right - left, bottom - top));
+                ui.add(egui::ProgressBar::new(refining.progress() as f32).desired_width(120.0).show_percentage());
+                is_refining = !ui.small_button("cancel").clicked();
+            }
+            if !is_refining {
+                self.refining = None;
+            }
+            if let Some(refined) = &self.refined {
+                ui.separator();
+                let text = match &refined.comparison {
+                    Some(c) => format!("{:.1e} from the reference at most, {:.1} dB", c.max, c.psnr),
+                    None => "the reference; the picture was not in full".into(),
+                };
+                ui.label(text).on_hover_text("Of the part: linear channels, before a black background");
+            }
             if let Some(compared) = &self.compared {
                 let text = format!("differ by {:.1e} at most, {:.1} dB", compared.max, compared.psnr);
                 ui.separator();

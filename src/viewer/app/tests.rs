@@ -11,6 +11,7 @@ use super::{App, Compare, Start};
 use crate::cli::args::{Device, IntegralChoice, Order};
 use crate::renderer::SegmentIntegral;
 use crate::scene::{TransferFunction, WidgetShape};
+use crate::viewer::clip_box;
 use crate::viewer::engine::How;
 use crate::viewer::look::Kind;
 
@@ -128,6 +129,19 @@ fn a_session() {
     drag(&mut window, picture, picture + vec2(90.0, 30.0));
     assert_ne!(camera(&window), eye);
     settle(&mut window);
+    // A side of the clipping box is pulled, and the mesh cut there.
+    press(&mut window, Modifiers::NONE, Key::I);
+    let clip = |window: &Harness<'_, App>| window.state().look().and_then(|look| look.clip);
+    let whole = clip(&window).expect("a box");
+    let [from, to] = side_and_middle(&window);
+    drag(&mut window, from, from + 0.4 * (to - from));
+    let cut = clip(&window).expect("a box");
+    assert!(cut.max.z < whole.max.z && cut.min == whole.min, "{cut:?}");
+    settle(&mut window);
+    assert!(window.state().messages().is_empty(), "{:?}", window.state().messages());
+    // A widget that is hidden stays in the scene.
+    window.state_mut().editor.selected = Some(before);
+    press(&mut window, Modifiers::NONE, Key::H);
     // 1D beside 2D.
     press(&mut window, Modifiers::NONE, Key::C);
     settle(&mut window);
@@ -141,7 +155,8 @@ fn a_session() {
     let [scene, exported, rendered] = ["s.toml", "e.png", "r.png"].map(|name| folder.path().join(name));
     press(&mut window, Modifiers::COMMAND, Key::S);
     answer(&mut window, &scene, "Write");
-    assert!(scene.is_file(), "{:?}", window.state().messages());
+    let text = std::fs::read_to_string(&scene).unwrap_or_else(|e| panic!("{e}: {:?}", window.state().messages()));
+    assert!(text.contains("[clip]") && text.matches("hidden = true").count() == 1, "{text}");
     press(&mut window, Modifiers::COMMAND, Key::E);
     answer(&mut window, &exported, "Write");
     settle(&mut window);
@@ -153,6 +168,76 @@ fn a_session() {
     assert!(bytes(&exported) == bytes(&rendered), "the window's picture is the command line's");
     let lit = crate::image::Image::read(&exported).expect("a picture").pixels;
     assert!(lit.iter().filter(|p| p[0].max(p[1]).max(p[2]) > 0.05).count() > 1_000, "something is seen");
+}
+
+/// On the screen: the handle of the upper side along z, and the box's middle.
+fn side_and_middle(window: &Harness<'_, App>) -> [Pos2; 2] {
+    let sitting = window.state().sitting.as_ref().expect("a mesh");
+    let (bounds, picture) = (sitting.opened.mesh.bounds_in_data(), place(window, "Picture"));
+    let middle = bounds.center();
+    let top = glam::DVec3 { z: bounds.max.z, ..middle };
+    [top, middle].map(|place| clip_box::project(&sitting.camera, picture, place).expect("before the eye"))
+}
+
+#[test]
+fn the_reference_takes_a_part_of_the_picture() {
+    let mut window = window(start(&fire()));
+    settle(&mut window);
+    press(&mut window, Modifiers::NONE, Key::E);
+    let picture = place(&window, "Picture").center();
+    drag(&mut window, picture, picture + vec2(30.0, 20.0));
+    settle(&mut window);
+    let refined = window.state().refined.as_ref().expect("a part");
+    let compared = refined.comparison.as_ref().expect("the picture is in full");
+    assert_eq!([refined.image.width, refined.image.height], [30, 20]);
+    assert!(compared.max > 0.0 && compared.psnr > 80.0, "{compared}");
+    // It is of one picture.
+    drag(&mut window, picture, picture + vec2(40.0, 0.0));
+    assert!(window.state().refined.is_none());
+}
+
+#[test]
+fn a_still_can_be_given_up() {
+    let mut window = window(start(&fire()));
+    settle(&mut window);
+    window.state_mut().how[0].device = Device::Oracle;
+    for _ in 0..2_000 {
+        window.step();
+        if window.state().engine.progress().is_some() {
+            break;
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    window.step();
+    window.get_by_label("cancel").click();
+    window.step();
+    window.step();
+    assert!(window.state().is_given_up && window.state().is_idle());
+    assert!(window.state().shown.as_ref().is_some_and(|shown| shown.step > 1 || shown.notes[0].contains("CPU")));
+    // What is asked for next is made.
+    window.state_mut().how[0].device = Device::Cpu;
+    settle(&mut window);
+    assert!(!window.state().is_given_up && window.state().messages().is_empty(), "{:?}", window.state().messages());
+}
+
+/// A pull goes from tick to tick where that is asked for.
+#[test]
+fn what_is_pulled_can_snap() {
+    let mut window = window(start(&fire()));
+    settle(&mut window);
+    assert!(!window.state().editor.snaps);
+    window.state_mut().editor.snaps = true;
+    press(&mut window, Modifiers::NONE, Key::G);
+    let plot = place(&window, "Joint histogram");
+    let from = plot.min + 0.43 * plot.size();
+    drag(&mut window, from, from + vec2(40.0, -25.0));
+    let center = |window: &Harness<'_, App>| match window.state().look()?.items.last()?.widget.shape {
+        WidgetShape::Gaussian { center, .. } => Some(center),
+        _ => None,
+    };
+    let before = center(&window).expect("a Gaussian");
+    let is_round = |v: f64| (v / 10.0 - (v / 10.0).round()).abs() < 1e-6;
+    assert!(is_round(before[0]) && is_round(before[1]), "{before:?}");
 }
 
 #[test]
@@ -185,7 +270,7 @@ fn what_is_wrong_is_said_and_the_session_kept() {
     answer(&mut window, &folder.path().join("no folder/scene.toml"), "Write");
     said(&window, "folder");
     // A device that refuses, as a lost one does.
-    window.state_mut().how[0].order = Order::Structured;
+    window.state_mut().how[0].choices.order = Order::Structured;
     window.state_mut().how[0].device = Device::Software;
     settle(&mut window);
     assert!(window.state().messages().len() >= 5, "{:?}", window.state().messages());
@@ -221,11 +306,11 @@ fn two_methods_are_compared_in_linear_float() {
     let mut window = window(start(&fire()));
     settle(&mut window);
     window.state_mut().compare = Compare::Methods;
-    window.state_mut().how[0].integral = IntegralChoice::Fixed(SegmentIntegral::default());
+    window.state_mut().how[0].choices.integral = IntegralChoice::Fixed(SegmentIntegral::default());
     window.state_mut().how[1] = window.state().how[0];
     settle(&mut window);
     assert_eq!(window.state().compared.as_ref().map(|c| c.max), Some(0.0), "the same twice");
-    window.state_mut().how[1].integral = IntegralChoice::Fixed(SegmentIntegral::MeanScalar);
+    window.state_mut().how[1].choices.integral = IntegralChoice::Fixed(SegmentIntegral::MeanScalar);
     settle(&mut window);
     assert!(window.state().compared.as_ref().is_some_and(|c| c.max > 1e-4), "two integrals");
 }
