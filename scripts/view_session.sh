@@ -1,7 +1,7 @@
 #!/bin/sh
 # A session in the window by synthetic X input, under Xvfb: opens a mesh, draws a Gaussian on the histogram, turns the
-# picture, saves the scene, undoes and redoes, compares 1D with 2D, cuts the mesh, exports; and holds the picture against
-# the one that the command line makes of the saved scene. Needs Xvfb and xdotool (Debian: xvfb xdotool); with ImageMagick's
+# picture, saves the scene, undoes and redoes, compares 1D with 2D, exports; and holds the picture against the one that
+# the command line makes of the saved scene. Needs Xvfb and xdotool (Debian: xvfb xdotool); with ImageMagick's
 # import it leaves screenshots, too.
 #
 # sh scripts/view_session.sh [MESH [FIELD [FOLDER [WIDTHxHEIGHT]]]]: files go to the folder [out/view]. TETRALUX names the
@@ -63,11 +63,12 @@ unset WAYLAND_DISPLAY
 viewer=$!
 # The title names what is open.
 until_so "the window does not show the mesh" xdotool search --name "$(basename "$mesh")"
-xdotool search --name tetralux windowsize --sync "${size%x*}" "${size#*x}" windowmove 0 0
+# There is no window manager that would place it and give it the keyboard.
+xdotool search --name tetralux windowsize "${size%x*}" "${size#*x}" windowmove 0 0 windowfocus
 pause 3
 shot open
 
-# Where the plot is: the panel beside the picture is 390 points wide.
+# Within the plot, in the panel at the right.
 width=${size%x*}
 x=$((width - 180))
 xdotool mousemove $x 250; pause

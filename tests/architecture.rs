@@ -177,7 +177,7 @@ fn violations(file: &str, text: &str) -> Vec<String> {
             wrong.push(format!("{file}: '{word}' {why}"));
         }
     };
-    forbid("wgpu", &["gpu"], "belongs to src/gpu alone");
+    forbid("wgpu", &["gpu", "viewer"], "belongs to src/gpu, and to the window, which is drawn with it");
     for word in ["print", "println", "eprint", "eprintln"].map(|w| format!("{w}!")) {
         forbid(&word, &["cli", "viewer", "bin"], "is not the library's business");
     }

@@ -23,7 +23,7 @@ fn window(theme: Theme) -> Harness<'static, App> {
         .with_size(vec2(1000.0, 700.0))
         .with_theme(theme)
         .wgpu()
-        .build_eframe(|context| App::new(&context.egui_ctx, start, None).unwrap_or_else(|e| panic!("{e}")));
+        .build_eframe(|context| App::new(context, start, None).unwrap_or_else(|e| panic!("{e}")));
     settle(&mut window);
     window
 }
@@ -104,11 +104,15 @@ fn the_editor_looks_as_it_did() {
     rest(&mut window);
     let editor = panel(&mut window);
     check("editor_dark", &editor);
+    if std::env::var_os("UPDATE_SNAPSHOTS").is_some() {
+        // Whatever is held against one becomes it.
+        return;
+    }
     // A handle that is not where it was is another picture.
     let folder = tempfile::tempdir().expect("a folder");
     let planted = options().output_path(folder.path());
     editor.save(folder.path().join("planted.png")).expect("written");
-    assert!(try_image_snapshot_options(&editor, "planted", &planted).is_ok());
+    try_image_snapshot_options(&editor, "planted", &planted).unwrap_or_else(|e| panic!("{e}"));
     let mut moved = editor.clone();
     for y in (120..200).rev() {
         for x in 80..300 {
@@ -145,18 +149,24 @@ fn frames_come_while_a_still_is_made() {
     press(&mut window, Key::E);
     drag(&mut window, picture.min + vec2(5.0, 5.0), picture.max - vec2(5.0, 5.0));
     assert!(!window.state().is_idle());
-    let mut seconds = Vec::new();
+    let mut times = [Vec::new(), Vec::new()];
     for i in 0..40_u8 {
         let start = Instant::now();
         window.hover_at(picture.min + vec2(50.0 + f32::from(i), 60.0));
         window.step();
+        let stepped = start.elapsed();
         window.render().unwrap_or_else(|e| panic!("{e}"));
-        seconds.push(start.elapsed().as_secs_f64());
+        // The first one makes pipelines.
+        if i > 0 && !window.state().is_idle() {
+            times[0].push(stepped);
+            times[1].push(start.elapsed());
+        }
     }
-    assert!(!window.state().is_idle(), "the reference cannot be done yet");
-    seconds.sort_by(f64::total_cmp);
-    let [median, most] = [seconds[20], seconds[39]].map(|s| 1e3 * s);
-    println!("a frame of the window, with its pixels read back: {median:.1} ms, {most:.1} at most");
+    for (name, times) in ["laid out", "and drawn, its pixels read back"].into_iter().zip(&mut times) {
+        times.sort();
+        let [median, most] = [times.len() / 2, times.len() - 1].map(|i| 1e3 * times[i].as_secs_f64());
+        println!("a frame of the window, {name}: {median:.1} ms, {most:.1} at most, of {}", times.len());
+    }
     press(&mut window, Key::Escape);
     assert!(window.state().is_idle(), "what is let go is not waited for");
 }
@@ -169,7 +179,7 @@ fn a_lost_device_is_said_and_opened_again() {
     let start = Start { mesh: Some(fire()), field: Some("t".into()), scene: None, how: How::default() };
     let mut window = Harness::builder()
         .with_size(vec2(1000.0, 700.0))
-        .build_eframe(move |context| App::new(&context.egui_ctx, start, Some(gpu)).unwrap_or_else(|e| panic!("{e}")));
+        .build_eframe(move |context| App::new(context, start, Some(gpu)).unwrap_or_else(|e| panic!("{e}")));
     settle(&mut window);
     // Not the CPU engine, which `auto` takes where software rasterises.
     window.get_by_label("How pictures are made").click();

@@ -26,13 +26,18 @@ pub struct JointHistogram {
 impl JointHistogram {
     /// Distributes the mesh's volume over `bins` (scalar, gradient magnitude), at least one each.
     pub fn new(mesh: &TetMesh, bins: [usize; 2]) -> Self {
-        Self::of(bins, [mesh.scalar_range(), mesh.gradient_range()], mesh.tets.len(), |t| {
+        Self::within(mesh, bins, [mesh.scalar_range(), mesh.gradient_range()])
+    }
+
+    /// The same of what has its values in some ranges.
+    pub fn within(mesh: &TetMesh, bins: [usize; 2], ranges: [Interval; 2]) -> Self {
+        Self::of(bins, ranges, mesh.tets.len(), |t| {
             let pick = |values: &[f64]| mesh.tets[t].map(|v| values[v as usize]);
             (mesh.volume_in_data(TetId(t as u32)), pick(&mesh.scalar), pick(&mesh.gradient_magnitude))
         })
     }
 
-    /// The same of `count` tetrahedra; `tet`: volume, scalars and gradient magnitudes of one, within `ranges`.
+    /// The same of `count` tetrahedra; `tet`: volume, scalars and gradient magnitudes of one.
     pub(super) fn of(
         bins: [usize; 2],
         [scalar, gradient]: [Interval; 2],
@@ -54,7 +59,9 @@ impl JointHistogram {
                 let (volume, s, g) = tet(t);
                 let share = volume / points.len() as f64;
                 for weights in &points {
-                    counts[at_g.index(mix(weights, g)) * bins[0] + at_s.index(mix(weights, s))] += share;
+                    if let (Some(i), Some(j)) = (at_s.index(mix(weights, s)), at_g.index(mix(weights, g))) {
+                        counts[j * bins[0] + i] += share;
+                    }
                 }
             }
             counts
@@ -95,17 +102,22 @@ struct Binning {
     min: f64,
     per_value: f64,
     last: usize,
+    /// Below and above, what is no rounding of a value within.
+    ends: Interval,
 }
 
 impl Binning {
     fn new(range: Interval, bins: usize) -> Self {
         let per_value = bins as f64 / range.length();
         // A constant (or all but constant) value lies in the first bin.
-        Self { min: range.min, per_value: if per_value.is_finite() { per_value } else { 0.0 }, last: bins - 1 }
+        let rounding = 1e-12 * range.min.abs().max(range.max.abs()).max(range.length());
+        let ends = Interval { min: range.min - rounding, max: range.max + rounding };
+        Self { min: range.min, per_value: if per_value.is_finite() { per_value } else { 0.0 }, last: bins - 1, ends }
     }
 
-    fn index(&self, value: f64) -> usize {
-        (((value - self.min) * self.per_value) as usize).min(self.last)
+    fn index(&self, value: f64) -> Option<usize> {
+        let is_within = self.ends.min <= value && value <= self.ends.max;
+        is_within.then(|| (((value - self.min) * self.per_value) as usize).min(self.last))
     }
 }
 

@@ -4,10 +4,12 @@ use eframe::egui::{
     Align2, Color32, ColorImage, Context, CursorIcon, FontId, Key, Modifiers, Painter, PointerButton, Pos2, Rect,
     Response, Role, Sense, Stroke, StrokeKind, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
+use eframe::egui_wgpu::RenderState;
 use glam::DVec3;
 
 use super::clip_box::{self, Side};
 use super::look;
+use super::pane::{Easel, Pane};
 use crate::scene::Camera;
 use crate::space::Bounds;
 
@@ -44,7 +46,8 @@ enum Hold {
 /// State of the picture.
 pub struct Canvas {
     /// One a side, then the difference.
-    textures: Vec<TextureHandle>,
+    panes: Vec<Pane>,
+    easel: Easel,
     /// Share of the width where the line is.
     pub split: f32,
     /// See [`Together`].
@@ -56,7 +59,7 @@ pub struct Canvas {
     /// The part that was drawn, pixels: left, top, before right, before bottom.
     pub chosen: Option<[u32; 4]>,
     /// Another picture of a part, pixels.
-    part: Option<([u32; 4], TextureHandle)>,
+    part: Option<([u32; 4], Pane)>,
     legend: Option<TextureHandle>,
     hold: Option<Hold>,
     /// Pixels of the last drawing.
@@ -70,7 +73,8 @@ pub struct Canvas {
 impl Default for Canvas {
     fn default() -> Self {
         Self {
-            textures: Vec::new(),
+            panes: Vec::new(),
+            easel: Easel::default(),
             split: 0.5,
             together: Together::Split,
             has_box: true,
@@ -87,20 +91,19 @@ impl Default for Canvas {
 }
 
 impl Canvas {
-    /// Takes new pictures: one, or two and their difference.
-    pub fn show(&mut self, ctx: &Context, pictures: Vec<ColorImage>) {
-        self.textures.truncate(pictures.len());
-        for (index, picture) in pictures.into_iter().enumerate() {
-            match self.textures.get_mut(index) {
-                Some(texture) => texture.set(picture, TextureOptions::LINEAR),
-                None => self.textures.push(ctx.load_texture("picture", picture, TextureOptions::LINEAR)),
-            }
-        }
+    /// For a window that draws by `state`.
+    pub fn new(state: Option<&RenderState>) -> Self {
+        Self { easel: Easel::new(state), ..Self::default() }
+    }
+
+    /// Takes new pictures: one, or two and their difference; `is_coarse`: their pixels are larger than the screen's.
+    pub fn show(&mut self, ctx: &Context, pictures: Vec<ColorImage>, is_coarse: bool) {
+        self.panes = pictures.into_iter().map(|picture| self.easel.pane(ctx, picture, is_coarse)).collect();
     }
 
     /// Takes another picture of a part, or none.
     pub fn show_part(&mut self, ctx: &Context, part: Option<([u32; 4], ColorImage)>) {
-        self.part = part.map(|(area, picture)| (area, ctx.load_texture("part", picture, TextureOptions::NEAREST)));
+        self.part = part.map(|(area, picture)| (area, self.easel.pane(ctx, picture, false)));
     }
 
     /// Takes a legend, or none.
@@ -110,7 +113,7 @@ impl Canvas {
 
     /// Forgets the last pictures.
     pub fn clear(&mut self) {
-        self.textures.clear();
+        self.panes.clear();
         (self.part, self.legend) = (None, None);
     }
 
@@ -222,37 +225,29 @@ impl Canvas {
         let painter = ui.painter_at(rect);
         let names = scenery.names.as_ref();
         let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-        let is_pair = names.is_some() && self.textures.len() == 3;
-        match (&self.textures[..], is_pair, self.together) {
+        let is_pair = names.is_some() && self.panes.len() == 3;
+        match (&self.panes[..], is_pair, self.together) {
             ([], _, _) => {
                 painter.rect_filled(rect, 0.0, Color32::BLACK);
             }
-            ([_, _, difference], true, Together::Difference) => {
-                painter.image(difference.id(), rect, whole, Color32::WHITE);
-            }
+            ([_, _, difference], true, Together::Difference) => difference.draw(&painter, rect),
             ([left, right, _], true, Together::Split) => {
                 let x = rect.left() + self.split * rect.width();
-                let halves = [(left, 0.0, self.split), (right, self.split, 1.0)];
-                for (texture, from, to) in halves {
-                    let [a, b] = [from, to].map(|share| rect.left() + share * rect.width());
-                    let part = Rect::from_min_max(pos2(a, rect.top()), pos2(b, rect.bottom()));
-                    let uv = Rect::from_min_max(pos2(from, 0.0), pos2(to, 1.0));
-                    painter.image(texture.id(), part, uv, Color32::WHITE);
-                }
+                let [before, behind] = [rect.with_max_x(x), rect.with_min_x(x)];
+                left.draw(&painter.with_clip_rect(before), rect);
+                right.draw(&painter.with_clip_rect(behind), rect);
                 painter.vline(x, rect.y_range(), Stroke::new(2.0, Color32::WHITE));
                 painter.circle(pos2(x, rect.center().y), 6.0, Color32::WHITE, Stroke::new(1.0, Color32::BLACK));
             }
-            ([first, ..], _, _) => {
-                painter.image(first.id(), rect, whole, Color32::WHITE);
-            }
+            ([first, ..], _, _) => first.draw(&painter, rect),
         }
         let to_screen = |[left, top, right, bottom]: [u32; 4]| {
             let at = |x: u32, y: u32| rect.min + vec2(x as f32, y as f32) / ui.ctx().pixels_per_point();
             Rect::from_min_max(at(left, top), at(right, bottom))
         };
         let frame = Stroke::new(1.5, clip_box::COLOR);
-        if let Some((area, texture)) = &self.part {
-            painter.image(texture.id(), to_screen(*area), whole, Color32::WHITE);
+        if let Some((area, pane)) = &self.part {
+            pane.draw(&painter, to_screen(*area));
             painter.rect_stroke(to_screen(*area), 0.0, frame, StrokeKind::Outside);
         }
         if self.has_box {

@@ -49,12 +49,12 @@ fn sides() -> impl Iterator<Item = Side> {
     (0..3).flat_map(|axis| [(axis, false), (axis, true)])
 }
 
-/// A dot in the middle of each side, filled on the one that is held or under the pointer.
+/// A dot in the middle of each side, coloured on the one that is held or under the pointer.
 pub fn draw_handles(painter: &Painter, rect: Rect, camera: &Camera, clip: &Bounds, marked: Option<Side>) {
     for side in sides() {
         if let Some(at) = project(camera, rect, middle(clip, side)) {
-            let fill = if marked == Some(side) { Color32::WHITE } else { COLOR };
-            painter.circle(at, 5.0, fill, Stroke::new(1.0, Color32::BLACK));
+            let fill = if marked == Some(side) { COLOR } else { Color32::WHITE };
+            painter.circle(at, 5.0, fill, Stroke::new(1.5, Color32::BLACK));
         }
     }
 }

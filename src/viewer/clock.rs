@@ -1,30 +1,37 @@
 //! How long the window takes to draw itself.
 
 use std::collections::VecDeque;
+use std::time::{Duration, Instant};
 
 /// Frames that are remembered.
 const FRAMES: usize = 120;
+/// Frames further apart than this did not wait for each other.
+const APART: Duration = Duration::from_millis(250);
 
 /// Times of the last frames.
 #[derive(Debug, Default)]
 pub struct Clock {
-    seconds: VecDeque<f32>,
+    last: Option<Instant>,
+    /// From one to the next, where they follow each other closely.
+    apart: VecDeque<Duration>,
 }
 
 impl Clock {
-    /// What the last frame took, if that is known.
-    pub fn hear(&mut self, seconds: Option<f32>) {
-        self.seconds.extend(seconds);
-        if self.seconds.len() > FRAMES {
-            self.seconds.pop_front();
+    /// A frame begins.
+    pub fn hear(&mut self, now: Instant) {
+        let apart = self.last.map(|last| now.saturating_duration_since(last));
+        self.apart.extend(apart.filter(|apart| *apart < APART));
+        if self.apart.len() > FRAMES {
+            self.apart.pop_front();
         }
+        self.last = Some(now);
     }
 
-    /// Median and most of the last frames, seconds.
-    pub fn median_and_most(&self) -> Option<[f32; 2]> {
-        let mut sorted: Vec<f32> = self.seconds.iter().copied().collect();
-        sorted.sort_by(f32::total_cmp);
-        Some([*sorted.get(sorted.len() / 2)?, *sorted.last()?])
+    /// From one frame to the next while something moves: half of them take no longer, and 19 of 20.
+    pub fn median_and_95th(&self) -> Option<[Duration; 2]> {
+        let mut sorted: Vec<Duration> = self.apart.iter().copied().collect();
+        sorted.sort();
+        Some([*sorted.get(sorted.len() / 2)?, *sorted.get(sorted.len() * 19 / 20)?])
     }
 }
 
@@ -33,16 +40,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_last_frames_count() {
+    fn the_last_frames_count_that_follow_each_other() {
         let mut clock = Clock::default();
-        assert_eq!(clock.median_and_most(), None);
-        clock.hear(Some(9.0));
-        for _ in 0..FRAMES {
-            clock.hear(None);
-            clock.hear(Some(0.25));
+        let mut now = Instant::now();
+        assert_eq!(clock.median_and_95th(), None);
+        for milliseconds in [0, 90, 3_000].into_iter().chain([20; FRAMES]).chain([40; 7]) {
+            now += Duration::from_millis(milliseconds);
+            clock.hear(now);
         }
-        assert_eq!(clock.median_and_most(), Some([0.25, 0.25]), "the slow one is forgotten");
-        clock.hear(Some(0.5));
-        assert_eq!(clock.median_and_most(), Some([0.25, 0.5]));
+        // Rest is no slow frame, and the one of 90 ms is forgotten.
+        assert_eq!(clock.median_and_95th(), Some([20, 40].map(Duration::from_millis)));
     }
 }

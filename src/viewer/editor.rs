@@ -1,17 +1,21 @@
 //! The joint histogram, and widgets drawn on it.
 
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, channel};
+
 use eframe::egui::{
-    Color32, CursorIcon, Key, PointerButton, Pos2, Rect, Response, Role, Sense, Shape, Stroke, StrokeKind,
+    Color32, Context, CursorIcon, Key, PointerButton, Pos2, Rect, Response, Role, Sense, Shape, Stroke, StrokeKind,
     TextureHandle, TextureOptions, Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::handles::{self, Grip, Map};
 use super::look::{Item, Look};
-use super::opened::Opened;
+use super::opened::{BINS, Opened};
 use super::plot;
 use crate::image::srgb_from_linear;
 use crate::scene::{MAX_WIDGETS, SinusoidVariant, Widget, WidgetShape};
-use crate::tet::Domain as _;
+use crate::space::Interval;
+use crate::tet::{Domain as _, JointHistogram, TetMesh};
 
 /// How near a handle is taken hold of, points.
 const NEAR: f64 = 10.0;
@@ -124,6 +128,29 @@ pub struct Editor {
     /// Where the volume is.
     most: Option<[[f64; 2]; 2]>,
     texture: Option<(bool, TextureHandle)>,
+    close: Option<Close>,
+}
+
+/// The histogram of what is shown alone: as fine as the plot is.
+struct Close {
+    shown: [[f64; 2]; 2],
+    result: Receiver<JointHistogram>,
+    histogram: Option<JointHistogram>,
+    texture: Option<(bool, TextureHandle)>,
+}
+
+impl Close {
+    /// Begins, beside the window.
+    fn start(mesh: Arc<TetMesh>, shown: [[f64; 2]; 2], ctx: Context) -> Self {
+        let (sender, result) = channel();
+        std::thread::spawn(move || {
+            let ranges = shown.map(|[min, max]| Interval { min, max });
+            // The plot may show something else by now.
+            let _ = sender.send(JointHistogram::within(&mesh, BINS, ranges));
+            ctx.request_repaint();
+        });
+        Self { shown, result, histogram: None, texture: None }
+    }
 }
 
 impl Editor {
@@ -297,11 +324,40 @@ impl Editor {
         }
     }
 
+    /// The histogram of what is shown, once it is there: bins of all of it are coarse where that is a small part.
+    fn look_closer(
+        &mut self,
+        ctx: &Context,
+        opened: &Opened,
+        shown: [[f64; 2]; 2],
+        is_dark: bool,
+    ) -> Option<TextureHandle> {
+        let is_at_rest = self.hold != Some(Hold::Pan);
+        let is_running = self.close.as_ref().is_some_and(|close| close.histogram.is_none());
+        if let Some(close) = &mut self.close
+            && let Ok(histogram) = close.result.try_recv()
+        {
+            close.histogram = Some(histogram);
+        } else if is_at_rest && !is_running && self.close.as_ref().is_none_or(|close| close.shown != shown) {
+            self.close = Some(Close::start(Arc::clone(&opened.mesh), shown, ctx.clone()));
+        }
+        let close = self.close.as_mut().filter(|close| close.shown == shown)?;
+        let histogram = close.histogram.as_ref()?;
+        if close.texture.as_ref().is_none_or(|(dark, _)| *dark != is_dark) {
+            // Finer bins hold less.
+            let area = |all: [[f64; 2]; 2]| (all[0][1] - all[0][0]) * (all[1][1] - all[1][0]);
+            let most = plot::most(&opened.histogram) * area(shown) / area(Self::all(opened));
+            let image = plot::image(histogram, most, is_dark);
+            close.texture = Some((is_dark, ctx.load_texture("close", image, TextureOptions::NEAREST)));
+        }
+        close.texture.as_ref().map(|(_, texture)| texture.clone())
+    }
+
     fn draw(&mut self, ui: &Ui, opened: &Opened, look: &Look, path: &[[f64; 2]], plot: &Plot) {
         let Plot { rect, shown, map } = *plot;
         let is_dark = ui.visuals().dark_mode;
         if self.texture.as_ref().is_none_or(|(dark, _)| *dark != is_dark) {
-            let image = plot::image(&opened.histogram, is_dark);
+            let image = plot::image(&opened.histogram, plot::most(&opened.histogram), is_dark);
             let texture = ui.ctx().load_texture("histogram", image, TextureOptions::NEAREST);
             self.texture = Some((is_dark, texture));
         }
@@ -310,12 +366,17 @@ impl Editor {
         plot::axes(ui.painter(), rect, shown, names, ink);
         let painter = ui.painter_at(rect);
         painter.rect_filled(rect, 0.0, if is_dark { Color32::from_gray(24) } else { Color32::from_gray(250) });
-        if let Some((_, texture)) = &self.texture {
-            let all = Self::all(opened);
-            let low = plot::to_pos(map.point([all[0][0], all[1][0]]));
-            let high = plot::to_pos(map.point([all[0][1], all[1][1]]));
+        let place = |texture: &TextureHandle, [s, g]: [[f64; 2]; 2]| {
+            let corners = [[s[0], g[0]], [s[1], g[1]]].map(|p| plot::to_pos(map.point(p)));
             let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-            painter.image(texture.id(), Rect::from_two_pos(low, high), uv, Color32::WHITE);
+            painter.image(texture.id(), Rect::from_two_pos(corners[0], corners[1]), uv, Color32::WHITE);
+        };
+        let close = self.look_closer(ui.ctx(), opened, shown, is_dark);
+        if let Some((_, texture)) = self.texture.as_ref().filter(|_| close.is_none()) {
+            place(texture, Self::all(opened));
+        }
+        if let Some(texture) = close {
+            place(&texture, shown);
         }
         for (index, item) in look.items.iter().enumerate() {
             let is_selected = self.selected == Some(index);

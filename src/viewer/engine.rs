@@ -5,9 +5,10 @@ use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use super::watch::Watch;
+use super::background;
+use super::watch::{Wake, Watch};
 use crate::cli::args::{ChoiceArgs, Device, IntegralChoice, Method, Order};
-use crate::cli::device::{self, Chosen, Listener, Wish};
+use crate::cli::device::{self, Chosen, Wish};
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::image::Image;
@@ -87,16 +88,11 @@ pub struct Shown {
     pub is_last: bool,
 }
 
-/// What tells a watch how far a picture is.
-pub fn listener(watch: &Watch) -> Listener {
-    let watch = watch.clone();
-    Arc::new(move |share| watch.hear(share))
-}
-
 struct Slot {
     /// With its number.
     wanted: Mutex<Option<(u64, Wanted)>>,
     watch: Watch,
+    wake: Wake,
     changed: Condvar,
     is_closed: AtomicBool,
 }
@@ -117,10 +113,11 @@ impl Engine {
     ///
     /// # Errors
     /// No thread can be made.
-    pub fn new(shared: Option<Gpu>, wake: impl Fn() + Send + 'static) -> Result<Self> {
+    pub fn new(shared: Option<Gpu>, wake: Wake) -> Result<Self> {
         let slot = Arc::new(Slot {
             wanted: Mutex::new(None),
             watch: Watch::default(),
+            wake,
             changed: Condvar::new(),
             is_closed: AtomicBool::new(false),
         });
@@ -136,12 +133,9 @@ impl Engine {
                 last_choices: [None; 2],
                 seconds_per_pixel: 0.0,
             };
-            worker.run(&wake);
+            worker.run();
         };
-        // One core is left to the window.
-        let cores = std::thread::available_parallelism().map_or(1, usize::from);
-        let pool = rayon::ThreadPoolBuilder::new().num_threads((cores - 1).max(1)).build();
-        let pool = pool.map_err(|e| Error::Device(format!("no threads can be made to render on: {e}")))?;
+        let pool = background::pool()?;
         std::thread::spawn(move || pool.install(work));
         Ok(Self { slot, results, last: None, asked: 0, has_ended: false })
     }
@@ -236,12 +230,13 @@ struct Worker {
 }
 
 impl Worker {
-    fn run(mut self, wake: &dyn Fn()) {
+    fn run(mut self) {
         while let Some((number, wanted)) = self.next() {
             for step in self.steps(&wanted) {
                 if self.is_superseded() {
                     break;
                 }
+                self.slot.watch.rewind();
                 let result = self.render(&wanted, step);
                 if result.is_err() && self.slot.watch.is_given_up() {
                     break;
@@ -255,7 +250,7 @@ impl Worker {
                 if self.sender.send((number, result)).is_err() {
                     return;
                 }
-                wake();
+                (self.slot.wake)();
                 if has_failed {
                     break;
                 }
@@ -287,7 +282,11 @@ impl Worker {
     fn steps(&self, wanted: &Wanted) -> Vec<u32> {
         let pixels = f64::from(wanted.size[0]) * f64::from(wanted.size[1]) * wanted.sides.len() as f64;
         let share = self.seconds_per_pixel * pixels / PATIENCE.as_secs_f64();
-        let coarse = (share.sqrt().ceil().max(1.0) as u32).next_power_of_two().min(COARSEST);
+        let coarse = match self.seconds_per_pixel > 0.0 {
+            true => (share.sqrt().ceil().max(1.0) as u32).next_power_of_two().min(COARSEST),
+            // How long pictures take is not known yet.
+            false => COARSEST,
+        };
         match (wanted.is_moving, coarse) {
             (true, _) => vec![coarse],
             (false, 1) => vec![1],
@@ -307,7 +306,7 @@ impl Worker {
                 size,
                 background: wanted.background,
             };
-            let ready = self.ready(wanted, number, side, &frame)?;
+            let ready = self.ready(wanted, number, side, &frame, wanted.is_moving || step > 1)?;
             let start = Instant::now();
             let rendered = ready.renderer.render(&frame, false)?;
             seconds += start.elapsed().as_secs_f64() / wanted.sides.len() as f64;
@@ -327,7 +326,15 @@ impl Worker {
         Ok(Shown { images, step, seconds, notes, is_last: step == 1 })
     }
 
-    fn ready(&mut self, wanted: &Wanted, number: usize, side: &Side, frame: &Frame<'_>) -> Result<&mut Ready> {
+    /// A renderer of a side; `is_coarse`: of a picture that another one follows.
+    fn ready(
+        &mut self,
+        wanted: &Wanted,
+        number: usize,
+        side: &Side,
+        frame: &Frame<'_>,
+        is_coarse: bool,
+    ) -> Result<&mut Ready> {
         let is_fit = |ready: &Ready| {
             // Whether cells or rays are cheaper depends on the function where software rasterises.
             let is_chosen = ready.is_chosen && side.how.device == Device::Software && !wanted.is_moving;
@@ -349,23 +356,19 @@ impl Worker {
         let ready = &mut self.ready[at];
         let chooses = side.how.choices.integral == IntegralChoice::Auto && !ready.is_reference;
         let is_new = ready.integral_for.as_ref() != Some(&side.transfer);
-        // While something is being changed, the last choice does, of a renderer before this one, too.
+        // While something is being changed, and before a picture in full, the last choice does, of a renderer before this
+        // one, too.
         let last = self.last_choices.get(number).copied().flatten().filter(|last| last.how == side.how);
-        match last {
-            Some(last) if chooses && is_new && wanted.is_moving => {
-                if ready.integral_for.is_none() {
-                    ready.renderer.set_integral(last.integral);
-                }
+        let is_enough = is_coarse && (ready.integral_for.is_some() || last.is_some());
+        if chooses && is_new && !is_enough {
+            let chosen = choose_integral(&mut *ready.renderer, frame, side.how.choices.tolerance)?;
+            ready.integral_for = Some(side.transfer.clone());
+            ready.integral_note = format!("{}: {}", chosen.integral, chosen.why);
+            if let Some(last) = self.last_choices.get_mut(number) {
+                *last = Some(LastChoice { how: side.how, integral: chosen.integral });
             }
-            _ if chooses && is_new => {
-                let chosen = choose_integral(&mut *ready.renderer, frame, side.how.choices.tolerance)?;
-                ready.integral_for = Some(side.transfer.clone());
-                ready.integral_note = format!("{}: {}", chosen.integral, chosen.why);
-                if let Some(last) = self.last_choices.get_mut(number) {
-                    *last = Some(LastChoice { how: side.how, integral: chosen.integral });
-                }
-            }
-            _ => {}
+        } else if let Some(last) = last.filter(|_| chooses && ready.integral_for.is_none()) {
+            ready.renderer.set_integral(last.integral);
         }
         Ok(ready)
     }
@@ -378,7 +381,7 @@ impl Worker {
             shared: self.shared.as_ref(),
         };
         let Chosen { renderer, note, why, is_reference } =
-            device::renderer(&wanted.mesh, &wish, &listener(&self.slot.watch))?;
+            device::renderer(&wanted.mesh, &wish, &self.slot.watch.listener(Arc::clone(&self.slot.wake)))?;
         Ok(Ready {
             mesh: Arc::clone(&wanted.mesh),
             how: side.how,

@@ -5,10 +5,11 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
-use super::engine::{How, listener};
-use super::watch::Watch;
+use super::background;
+use super::engine::How;
+use super::watch::{Wake, Watch};
 use crate::cli::args::IntegralChoice;
-use crate::cli::device::{self, Wish};
+use crate::cli::device::{self, Listener, Wish};
 use crate::cli::{legend, output};
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
@@ -202,7 +203,7 @@ pub struct Task {
 
 impl Export {
     /// Begins; `wake` is called now and then, and at the end.
-    pub fn start(task: Task, wake: impl Fn() + Send + 'static) -> Self {
+    pub fn start(task: Task, wake: Wake) -> Self {
         let (sender, result) = channel();
         let (done, is_cancelled) = (Arc::<AtomicU32>::default(), Arc::<AtomicBool>::default());
         let (counted, cancelled, total) = (Arc::clone(&done), Arc::clone(&is_cancelled), task.frames);
@@ -214,7 +215,8 @@ impl Export {
                 wake();
                 !cancelled.load(Ordering::Relaxed)
             };
-            let result = write(&task, &followed, &step);
+            let listener = followed.listener(Arc::clone(&wake));
+            let result = background::pool().and_then(|pool| pool.install(|| write(&task, &listener, &step)));
             // The window may have been closed.
             let _ = sender.send(result);
             wake();
@@ -244,7 +246,7 @@ impl Export {
 }
 
 /// Writes all pictures; `step` counts them, and says whether to go on.
-fn write(task: &Task, watch: &Watch, step: &dyn Fn() -> bool) -> Result<String> {
+fn write(task: &Task, listener: &Listener, step: &dyn Fn() -> bool) -> Result<String> {
     output::check_picture(&task.path)?;
     let scene = Scene::parse(&task.scene, &[])?;
     if task.has_legend && scene.size[1] < legend::MIN_HEIGHT {
@@ -268,7 +270,7 @@ fn write(task: &Task, watch: &Watch, step: &dyn Fn() -> bool) -> Result<String> 
     };
     let settings = task.how.choices.settings();
     let wish = Wish { device: task.how.device, settings, frame: &first, shared: task.shared.as_ref() };
-    let mut chosen = device::renderer(&part, &wish, &listener(watch))?;
+    let mut chosen = device::renderer(&part, &wish, listener)?;
     if task.how.choices.integral == IntegralChoice::Auto && !chosen.is_reference {
         choose_integral(&mut *chosen.renderer, &first, task.how.choices.tolerance)?;
     }

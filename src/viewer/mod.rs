@@ -5,6 +5,7 @@
 //! edited in `look`, undo in `history`: none of these three knows a window.
 
 mod app;
+mod background;
 mod canvas;
 mod clip_box;
 mod clipping;
@@ -17,6 +18,7 @@ mod handles;
 mod history;
 mod look;
 mod opened;
+mod pane;
 mod panels;
 mod path;
 mod plot;
@@ -26,7 +28,8 @@ mod watch;
 
 use std::ffi::OsString;
 
-use eframe::egui_wgpu::{WgpuConfiguration, WgpuSetup, WgpuSetupExisting};
+use eframe::egui_wgpu::wgpu::PresentMode;
+use eframe::egui_wgpu::{SurfaceConfig, WgpuConfiguration, WgpuSetup, WgpuSetupExisting};
 
 pub use app::{App, Compare, Start};
 pub use engine::How;
@@ -55,21 +58,28 @@ fn start(args: &ViewArgs) -> Start {
 fn open(args: &ViewArgs) -> anyhow::Result<()> {
     let gpu = Gpu::new(DeviceChoice::Any)?;
     // A still on a software adapter would hold the window up: there pictures get a device of their own, or the CPU engine.
-    let shared = (!gpu.is_software()).then(|| gpu.clone());
+    let is_software = gpu.is_software();
+    let shared = (!is_software).then(|| gpu.clone());
     let (instance, adapter, device, queue) = gpu.parts();
     let wgpu_setup = WgpuSetup::Existing(WgpuSetupExisting { instance, adapter, device, queue });
+    // Where a processor rasterises there is no screen's beat to wait for.
+    let surface = match is_software {
+        true => SurfaceConfig { present_mode: PresentMode::AutoNoVsync, ..SurfaceConfig::LOW_LATENCY },
+        false => SurfaceConfig::HIGH_THROUGHPUT,
+    };
     let options = eframe::NativeOptions {
         viewport: eframe::egui::ViewportBuilder::default()
             .with_title("tetralux")
             .with_inner_size([1280.0, 800.0])
             .with_min_inner_size([800.0, 500.0])
             .with_drag_and_drop(true),
-        wgpu_options: WgpuConfiguration { wgpu_setup, ..Default::default() },
+        wgpu_options: WgpuConfiguration { wgpu_setup, surface, ..Default::default() },
+        // A tenth of what a processor takes for the window.
+        dithering: !is_software,
         ..Default::default()
     };
     let start = start(args);
-    let make: eframe::AppCreator<'_> =
-        Box::new(move |context| Ok(Box::new(App::new(&context.egui_ctx, start, shared)?)));
+    let make: eframe::AppCreator<'_> = Box::new(move |context| Ok(Box::new(App::new(context, start, shared)?)));
     eframe::run_native("tetralux", options, make)
         .map_err(|e| Error::Device(format!("the window cannot be opened: {e}")).into())
 }

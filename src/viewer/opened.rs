@@ -12,7 +12,7 @@ use crate::space::Bounds;
 use crate::tet::{JointHistogram, TetMesh};
 
 /// Bins of the histogram that is drawn on.
-const BINS: [usize; 2] = [320, 240];
+pub const BINS: [usize; 2] = [320, 240];
 
 /// A mesh with one field.
 #[derive(Clone, Debug)]

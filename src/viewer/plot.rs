@@ -8,10 +8,14 @@ use crate::tet::JointHistogram;
 /// Decades of the largest bin that are told apart.
 const DECADES: f64 = 6.0;
 
-/// Volume a bin, on a logarithmic scale; row 0 is the highest gradient.
-pub fn image(histogram: &JointHistogram, is_dark: bool) -> ColorImage {
+/// The largest volume a bin.
+pub fn most(histogram: &JointHistogram) -> f64 {
+    histogram.counts.iter().copied().fold(f64::MIN_POSITIVE, f64::max)
+}
+
+/// Volume a bin, on a logarithmic scale that ends at `most`; row 0 is the highest gradient.
+pub fn image(histogram: &JointHistogram, most: f64, is_dark: bool) -> ColorImage {
     let [width, height] = histogram.bins;
-    let most = histogram.counts.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
     let color = |volume: f64| {
         let share = (1.0 + (volume / most).log10() / DECADES).clamp(0.0, 1.0) as f32;
         let share = if volume > 0.0 { 0.12 + 0.88 * share } else { 0.0 };
@@ -22,14 +26,14 @@ pub fn image(histogram: &JointHistogram, is_dark: bool) -> ColorImage {
     ColorImage::new([width, height], rows.map(|&volume| color(volume)).collect())
 }
 
-/// From the lowest gradient to where all but a thousandth of the volume lies, of all scalars: single steep cells would
+/// From the lowest gradient to where all but a ten-thousandth of the volume lies, of all scalars: single steep cells would
 /// leave the rest a line.
 pub fn where_volume_is(histogram: &JointHistogram, all: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
     let ([width, height], total) = (histogram.bins, histogram.total());
     let mut below = 0.0;
     let is_low = |j: &usize| {
         below += histogram.counts[j * width..(j + 1) * width].iter().sum::<f64>();
-        below < 0.999 * total
+        below < 0.9999 * total
     };
     let rows = (0..height).take_while(is_low).count() + 1;
     let share = (1.15 * rows as f64 / height as f64).min(1.0);

@@ -3,8 +3,10 @@
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
+use super::background;
 use super::engine::Wanted;
-use super::watch::Watch;
+use super::watch::{Wake, Watch};
+use crate::cli::device::Listener;
 use crate::error::{Error, Result};
 use crate::image::{Comparison, Image};
 use crate::oracle::Oracle;
@@ -41,14 +43,12 @@ impl Refined {
 
 impl Refining {
     /// Begins, with one side of what is wanted; `wake` is called now and then, and at the end.
-    pub fn start(wanted: Wanted, side: usize, area: [u32; 4], wake: impl Fn() + Send + Sync + 'static) -> Self {
+    pub fn start(wanted: Wanted, side: usize, area: [u32; 4], wake: Wake) -> Self {
         let (sender, result) = channel();
         let watch = Watch::default();
         let followed = watch.clone();
         std::thread::spawn(move || {
-            let wake = Arc::new(wake);
-            let again = Arc::clone(&wake);
-            let made = make(&wanted, side, area, &followed, move || again());
+            let made = make(&wanted, side, area, followed.listener(Arc::clone(&wake)));
             // The window may have been closed.
             let _ = sender.send(made);
             wake();
@@ -78,13 +78,7 @@ impl Drop for Refining {
     }
 }
 
-fn make(
-    wanted: &Wanted,
-    side: usize,
-    area: [u32; 4],
-    watch: &Watch,
-    wake: impl Fn() + Send + Sync + 'static,
-) -> Result<Image> {
+fn make(wanted: &Wanted, side: usize, area: [u32; 4], listener: Listener) -> Result<Image> {
     let Some(side) = wanted.sides.get(side) else { return Err(Error::Asked("there is no picture".into())) };
     let frame = Frame {
         camera: &wanted.camera,
@@ -93,15 +87,8 @@ fn make(
         size: wanted.size,
         background: wanted.background,
     };
-    // One core is left to the window.
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads((cores - 1).max(1)).build();
-    let pool = pool.map_err(|e| Error::Device(format!("no threads can be made to render on: {e}")))?;
-    let followed = watch.clone();
-    let oracle = Oracle::new(Arc::clone(&wanted.mesh)).with_progress(Box::new(move |share| {
-        wake();
-        followed.hear(share)
-    }));
+    let pool = background::pool()?;
+    let oracle = Oracle::new(Arc::clone(&wanted.mesh)).with_progress(Box::new(move |share| listener(share)));
     pool.install(|| oracle.part(&frame, area))
 }
 

@@ -3,6 +3,8 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
+use crate::cli::device::Listener;
+
 /// Steps from nothing to a picture.
 const STEPS: f64 = 1000.0;
 
@@ -16,15 +18,37 @@ struct State {
     is_given_up: AtomicBool,
 }
 
+/// Has the window drawn again.
+pub type Wake = Arc<dyn Fn() + Send + Sync>;
+
 impl Watch {
+    /// Hears for a renderer; the window is drawn again at each hundredth.
+    pub fn listener(&self, wake: Wake) -> Listener {
+        let watch = self.clone();
+        Arc::new(move |share| {
+            let percent = |share: f64| (100.0 * share) as u32;
+            let is_news = percent(share) > percent(watch.share().unwrap_or(0.0));
+            let goes_on = watch.hear(share);
+            if is_news {
+                wake();
+            }
+            goes_on
+        })
+    }
+
     /// Another picture is begun.
     pub fn begin(&self) {
-        self.0.steps.store(0, Ordering::Relaxed);
+        self.rewind();
         self.0.is_given_up.store(false, Ordering::Relaxed);
     }
 
+    /// Another part of it is begun.
+    pub fn rewind(&self) {
+        self.0.steps.store(0, Ordering::Relaxed);
+    }
+
     /// It is so far, 0 to 1; says whether to go on.
-    pub fn hear(&self, share: f64) -> bool {
+    fn hear(&self, share: f64) -> bool {
         self.0.steps.fetch_max((STEPS * share) as u32, Ordering::Relaxed);
         !self.is_given_up()
     }

@@ -66,7 +66,7 @@ impl App {
                     shared: self.shared.clone(),
                 };
                 let again = ctx.clone();
-                self.export = Some(Export::start(task, move || again.request_repaint()));
+                self.export = Some(Export::start(task, Arc::new(move || again.request_repaint())));
             }
             (_, None) => self.say("open a mesh first"),
         }

@@ -58,6 +58,7 @@ impl App {
             (self.editor.tool, self.editor.brush, self.editor.selected) = (Tool::Move, None, None);
             (self.canvas.is_choosing, self.refining, self.refined) = (false, None, None);
             self.canvas.show_part(ctx, None);
+            self.messages.clear();
         }
         if let Some(sitting) = &mut self.sitting {
             if pressed(Modifiers::NONE, Key::F) {

@@ -89,7 +89,7 @@ impl App {
         ui.checkbox(&mut self.has_legend, "Legend (L)");
         let mut is_clipped = sitting.look.clip.is_some();
         if ui.checkbox(&mut is_clipped, "Clipping box (I)").changed() {
-            sitting.look.clip = is_clipped.then(|| sitting.opened.bounds);
+            sitting.look.clip = is_clipped.then_some(sitting.opened.bounds);
         }
         ui.separator();
         for (name, away) in [("Along x", glam::DVec3::X), ("Along y", glam::DVec3::Y), ("Along z", glam::DVec3::Z)] {

@@ -9,7 +9,9 @@ mod status;
 mod tests;
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::mpsc::Receiver;
+use std::time::Instant;
 
 use eframe::egui::{self, Context, Panel, Ui};
 
@@ -108,8 +110,8 @@ pub struct App {
     refined: Option<Refined>,
     /// The function's axes and colours are shown beside the picture.
     has_legend: bool,
-    /// Of what, and how high.
-    legend_of: Option<(TransferFunction, u32)>,
+    /// Of what.
+    legend_of: Option<TransferFunction>,
     clock: Clock,
     title: String,
     loading: Option<Loading>,
@@ -127,16 +129,17 @@ impl App {
     ///
     /// # Errors
     /// No threads can be made.
-    pub fn new(ctx: &Context, start: Start, shared: Option<Gpu>) -> Result<Self> {
+    pub fn new(context: &eframe::CreationContext<'_>, start: Start, shared: Option<Gpu>) -> Result<Self> {
+        let ctx = &context.egui_ctx;
         let again = ctx.clone();
-        let engine = Engine::new(shared.clone(), move || again.request_repaint())?;
+        let engine = Engine::new(shared.clone(), Arc::new(move || again.request_repaint()))?;
         let threads = rayon::ThreadPoolBuilder::new().build();
         let threads = threads.map_err(|e| Error::Device(format!("no threads can be made to draw on: {e}")))?;
         let mut app = Self {
             sitting: None,
             editor: Editor::default(),
             curve: CurveEditor::default(),
-            canvas: Canvas::default(),
+            canvas: Canvas::new(context.wgpu_render_state.as_ref()),
             engine,
             how: [start.how; 2],
             compare: Compare::Off,
@@ -396,9 +399,9 @@ impl eframe::App for App {
         self.poll(ctx);
     }
 
-    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
+    fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
-        self.clock.hear(frame.info().cpu_usage);
+        self.clock.hear(Instant::now());
         self.keys(&ctx);
         self.name_window(&ctx);
         Panel::top("menus").show(ui, |ui| self.menus(ui));

@@ -23,8 +23,8 @@ const REST: Duration = Duration::from_millis(120);
 /// Differences are shown so many times as bright.
 const DIFFERENCE_TIMES: f32 = 16.0;
 
-/// A legend's height, pixels: within what the window has.
-const LEGEND: [u32; 2] = [legend::MIN_HEIGHT, 340];
+/// A legend's height, pixels: its axes fill it.
+const LEGEND: u32 = 240;
 
 impl App {
     pub(super) fn show(&mut self, ctx: &Context, mut shown: Shown) {
@@ -57,7 +57,8 @@ impl App {
             }
             screens
         });
-        self.canvas.show(ctx, screens);
+        let is_coarse = self.shown.as_ref().is_some_and(|shown| shown.step > 1);
+        self.canvas.show(ctx, screens, is_coarse);
     }
 
     /// Asks for what is to be seen.
@@ -112,7 +113,7 @@ impl App {
         self.canvas.show_part(ctx, None);
         let is_right = wanted.sides.len() > 1 && self.canvas.is_right_of_split(area);
         let side = usize::from(is_right);
-        self.refining = Some(Refining::start(wanted.clone(), side, area, move || again.request_repaint()));
+        self.refining = Some(Refining::start(wanted.clone(), side, area, Arc::new(move || again.request_repaint())));
     }
 
     pub(super) fn poll_refining(&mut self, ctx: &Context) {
@@ -157,18 +158,17 @@ impl App {
             return;
         };
         let transfer = sitting.look.transfer(sitting.look.kind);
-        let height = (self.canvas.size[1] / 2).clamp(LEGEND[0], LEGEND[1]);
-        if !is_settled || self.legend_of.as_ref() == Some(&(transfer.clone(), height)) {
+        if !is_settled || self.legend_of.as_ref() == Some(&transfer) {
             return;
         }
-        match legend::panel(height, &*sitting.opened.mesh, &transfer) {
+        match legend::panel(LEGEND, &*sitting.opened.mesh, &transfer) {
             Ok(image) => {
                 let picture = self.threads.install(|| screen::screen(&image, Backdrop::Plain, [0.0; 4]));
                 self.canvas.show_legend(ctx, Some(picture));
             }
             Err(error) => self.say(error.to_string()),
         }
-        self.legend_of = Some((transfer, height));
+        self.legend_of = Some(transfer);
     }
 
     /// Marks the ray of a pixel on the histogram, once the pointer rests.

@@ -4,6 +4,11 @@ use eframe::egui::{self, Ui};
 
 use super::App;
 
+/// Messages that are shown at a time.
+const MESSAGES: usize = 6;
+/// Of a message, points: about a line of the longest ones.
+const TEXT_WIDTH: f32 = 480.0;
+
 impl App {
     pub(super) fn status(&mut self, ui: &mut Ui) {
         ui.horizontal(|ui| {
@@ -22,12 +27,17 @@ impl App {
                     export.cancel();
                 }
             }
-            let Some(shown) = &self.shown else {
-                if self.sitting.is_some() {
-                    ui.label("preparing …");
+            if self.sitting.is_some() && self.shown.is_none() {
+                ui.label("preparing …");
+            }
+            if let Some(share) = self.engine.progress().filter(|_| !self.is_answered) {
+                ui.add(egui::ProgressBar::new(share as f32).desired_width(120.0).show_percentage());
+                if ui.small_button("cancel").clicked() {
+                    self.engine.cancel();
+                    (self.is_answered, self.is_given_up) = (true, true);
                 }
-                return;
-            };
+            }
+            let Some(shown) = &self.shown else { return };
             // Nothing here turns: drawing the window takes what pictures are made with.
             let state = match shown.step {
                 _ if !self.is_cut => "the mesh is being cut …".to_owned(),
@@ -37,16 +47,9 @@ impl App {
                 step => format!("1/{step} of the pixels along a side"),
             };
             let text = ui.label(format!("{:.0} ms, {state}", 1e3 * shown.seconds));
-            if let Some([median, most]) = self.clock.median_and_most() {
-                let of_window = format!("the window itself: {:.0} ms a frame, {:.0} at most", 1e3 * median, 1e3 * most);
-                text.on_hover_text(of_window);
-            }
-            if let Some(share) = self.engine.progress().filter(|_| !self.is_answered) {
-                ui.add(egui::ProgressBar::new(share as f32).desired_width(120.0).show_percentage());
-                if ui.small_button("cancel").clicked() {
-                    self.engine.cancel();
-                    (self.is_answered, self.is_given_up) = (true, true);
-                }
+            if let Some([median, most]) = self.clock.median_and_95th() {
+                let [median, most] = [median, most].map(|time| 1e3 * time.as_secs_f64());
+                text.on_hover_text(format!("the window itself: a frame in {median:.0} ms, 19 of 20 in {most:.0}"));
             }
             let mut is_refining = self.refining.is_some();
             if let Some(refining) = &self.refining {
@@ -81,13 +84,17 @@ impl App {
 
     pub(super) fn said(&mut self, ui: &mut Ui) {
         let mut gone = None;
-        for (index, text) in self.messages.iter().enumerate() {
-            ui.horizontal(|ui| {
-                if ui.small_button("×").on_hover_text("Put it away").clicked() {
+        // Those before are there when these have been put away.
+        let first = self.messages.len().saturating_sub(MESSAGES);
+        for (index, text) in self.messages.iter().enumerate().skip(first) {
+            ui.horizontal_top(|ui| {
+                if ui.small_button("×").on_hover_text("Put it away (Escape: all)").clicked() {
                     gone = Some(index);
                 }
-                ui.set_max_width(600.0);
-                ui.add(egui::Label::new(text).wrap());
+                ui.vertical(|ui| {
+                    ui.set_width(TEXT_WIDTH);
+                    ui.label(text);
+                });
             });
         }
         if let Some(index) = gone {

@@ -29,7 +29,7 @@ fn window(start: Start) -> Harness<'static, App> {
     let size = vec2(1280.0, 800.0);
     Harness::builder()
         .with_size(size)
-        .build_eframe(|context| App::new(&context.egui_ctx, start, None).unwrap_or_else(|e| panic!("{e}")))
+        .build_eframe(|context| App::new(context, start, None).unwrap_or_else(|e| panic!("{e}")))
 }
 
 /// Frames until nothing is being done beside the window.
