@@ -164,6 +164,11 @@ impl Editor {
         matches!(self.hold, Some(Hold::Widget(..) | Hold::New(..) | Hold::Brush(_)))
     }
 
+    /// Whether the histogram of what is shown is still being made.
+    pub fn is_looking(&self) -> bool {
+        self.close.as_ref().is_some_and(|close| close.histogram.is_none())
+    }
+
     /// All that the histogram spans.
     fn all(opened: &Opened) -> [[f64; 2]; 2] {
         let widened = |low: f64, high: f64| if high > low { [low, high] } else { [low - 0.5, high + 0.5] };
@@ -333,7 +338,7 @@ impl Editor {
         is_dark: bool,
     ) -> Option<TextureHandle> {
         let is_at_rest = self.hold != Some(Hold::Pan);
-        let is_running = self.close.as_ref().is_some_and(|close| close.histogram.is_none());
+        let is_running = self.is_looking();
         if let Some(close) = &mut self.close
             && let Ok(histogram) = close.result.try_recv()
         {

@@ -184,7 +184,9 @@ impl App {
     /// Whether nothing is being done beside the window.
     pub fn is_idle(&self) -> bool {
         let is_busy = self.loading.is_some() || self.export.is_some() || self.refining.is_some();
-        !is_busy && (self.sitting.is_none() || (self.is_answered && self.is_cut))
+        // The plot of the other kind is not drawn.
+        let is_looking = self.look().is_some_and(|look| look.kind == Kind::Bivariate) && self.editor.is_looking();
+        !is_busy && !is_looking && (self.sitting.is_none() || (self.is_answered && self.is_cut))
     }
 
     /// What is edited.
