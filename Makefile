@@ -15,7 +15,7 @@ demo:
 # that render on a graphics device, whose names begin with gpu_.
 test:
 	@sh scripts/test-needs.sh
-	cargo test --doc
+	cargo test --doc --features viewer-test
 	@if cargo nextest --version >/dev/null 2>&1; then \
 		cargo nextest run --features viewer-test $(if $(filter none,$(TETRALUX_GPU)),-E 'not binary(/^gpu_/)'); \
 	else \
