@@ -3,8 +3,8 @@
 #![cfg(feature = "viewer-test")]
 #![expect(clippy::print_stdout, reason = "what was measured, for `--nocapture`")]
 
-use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::path::Path;
+use std::time::Instant;
 
 use eframe::egui::{Event, Key, Pos2, Rect, Role, Theme, vec2};
 use egui_kittest::kittest::Queryable as _;
@@ -13,9 +13,10 @@ use image::RgbaImage;
 use tetralux::gpu::{DeviceChoice, Gpu};
 use tetralux::viewer::{App, How, Start};
 
-fn fire() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/data/fire_ug.vtu")
-}
+#[path = "common/window.rs"]
+mod driven;
+
+use driven::{drag, fire, place, settle};
 
 fn window(theme: Theme) -> Harness<'static, App> {
     let start = Start { mesh: Some(fire()), field: Some("t".into()), scene: None, how: How::default() };
@@ -28,37 +29,9 @@ fn window(theme: Theme) -> Harness<'static, App> {
     window
 }
 
-/// Frames until nothing is being done beside the window.
-fn settle(window: &mut Harness<'_, App>) {
-    for _ in 0..6_000 {
-        window.step();
-        if window.state().is_idle() {
-            window.step();
-            if window.state().is_idle() {
-                return;
-            }
-        }
-        std::thread::sleep(Duration::from_millis(10));
-    }
-    panic!("nothing came of it: {:?}", window.state().messages());
-}
-
 fn press(window: &mut Harness<'_, App>, key: Key) {
     window.key_press(key);
     window.step();
-    window.step();
-}
-
-fn drag(window: &mut Harness<'_, App>, from: Pos2, to: Pos2) {
-    window.hover_at(from);
-    window.step();
-    window.drag_at(from);
-    window.step();
-    for share in [0.25, 0.5, 1.0] {
-        window.hover_at(from + share * (to - from));
-        window.step();
-    }
-    window.drop_at(to);
     window.step();
 }
 
@@ -66,10 +39,6 @@ fn drag(window: &mut Harness<'_, App>, from: Pos2, to: Pos2) {
 fn rest(window: &mut Harness<'_, App>) {
     window.event(Event::PointerGone);
     settle(window);
-}
-
-fn place(window: &Harness<'_, App>, name: &str) -> Rect {
-    window.get_by_label(name).rect()
 }
 
 fn picture_of(window: &mut Harness<'_, App>, part: Rect) -> RgbaImage {

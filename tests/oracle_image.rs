@@ -223,7 +223,7 @@ fn silhouettes_are_sensitive_and_insides_are_not() {
 fn progress_reaches_the_end() {
     let heard = Arc::new(std::sync::Mutex::new(Vec::new()));
     let listener = Arc::clone(&heard);
-    let oracle = Oracle::new(Arc::new(box_mesh(1, MIN, MAX, |_| [0.0; 2]))).with_progress(Box::new(move |fraction| {
+    let oracle = Oracle::new(Arc::new(box_mesh(1, MIN, MAX, |_| [0.0; 2]))).with_progress(Arc::new(move |fraction| {
         listener.lock().expect("no panic").push(fraction);
         true
     }));
@@ -248,6 +248,6 @@ fn a_part_is_that_of_the_picture_and_can_be_given_up() {
     for area in [[5, 5, 5, 9], [0, 0, frame.size[0] + 1, 1]] {
         assert!(oracle.part(&frame, area).is_err(), "{area:?}");
     }
-    let error = Oracle::new(mesh).with_progress(Box::new(|_| false)).image(&frame).expect_err("nobody waits for it");
+    let error = Oracle::new(mesh).with_progress(Arc::new(|_| false)).image(&frame).expect_err("nobody waits for it");
     assert!(error.to_string().contains("given up"), "{error}");
 }

@@ -164,6 +164,10 @@ fn bad_scenes_are_named_by_key_and_line() {
         ("[transfer.curve]\npoints = [[0, 1, 1, 1]]\n".into(), &["line 2", "transfer.curve.points.0", "5 numbers"]),
         ("[transfer.curve]\npoints = [[0, 1, 1, 1, -1]]\n".into(), &["transfer.curve.points.0", "negative"]),
         (widget("") + "[transfer.curve]\npoints = [[0, 1, 1, 1, 1]]\n", &["transfer.curve", "excludes"]),
+        ("[transfer]\ndraw = \"curve\"\n".to_owned() + &widget(""), &["transfer.draw", "no curve"]),
+        ("[clip]\nmin = [0, 1, 0]\nmax = [1, 1, 1]\n".into(), &["clip.max", "y reaches from 1 to 1"]),
+        ("[clip]\nmin = [0, 0, 0]\nmax = [1, inf, 1]\n".into(), &["clip.max", "finite"]),
+        ("[clip]\nmin = [0, 0, 0]\n".into(), &["max"]),
         ("[camera\n".into(), &["line 1"]),
     ];
     for (text, parts) in cases {

@@ -6,7 +6,7 @@ use super::args::Device;
 use crate::cpu::{self, CpuRenderer};
 use crate::error::{Error, Result};
 use crate::gpu::{DeviceChoice, Gpu, GpuRenderer, GridCaster, GridRenderer, RayCaster, choose_method};
-use crate::oracle::Oracle;
+use crate::oracle::{Oracle, Progress};
 use crate::renderer::{BlendFormat, Frame, Method, OrderMethod, Renderer, Settings};
 use crate::scene::Optics;
 use crate::space::Bounds;
@@ -40,18 +40,15 @@ impl Wish<'_> {
     }
 }
 
-/// Hears how far a picture is, of renderers that know: see [`crate::oracle::Progress`].
-pub(crate) type Listener = Arc<dyn Fn(f64) -> bool + Send + Sync>;
-
-/// The renderer of one's wish.
-pub(crate) fn renderer(mesh: &Arc<TetMesh>, wish: &Wish<'_>, listener: &Listener) -> Result<Chosen> {
+/// The renderer of one's wish; those that know how far a picture is tell `progress`.
+pub(crate) fn renderer(mesh: &Arc<TetMesh>, wish: &Wish<'_>, progress: &Progress) -> Result<Chosen> {
     let settings = wish.settings;
     let (renderer, why) = match wish.device {
-        Device::Oracle => (reference(mesh, listener), None),
+        Device::Oracle => (reference(mesh, progress), None),
         Device::Cpu => (cast(mesh, settings)?, None),
         Device::Gpu => on_gpu(wish.open(DeviceChoice::Any)?, mesh, wish)?,
         Device::Software => on_gpu(wish.open(DeviceChoice::Software)?, mesh, wish)?,
-        Device::Auto => return automatic(mesh, wish, listener),
+        Device::Auto => return automatic(mesh, wish, progress),
     };
     let casts = matches!(wish.device, Device::Cpu | Device::Oracle) || settings.method == Method::RayCast;
     let note = (casts && settings.order != OrderMethod::Auto)
@@ -60,7 +57,7 @@ pub(crate) fn renderer(mesh: &Arc<TetMesh>, wish: &Wish<'_>, listener: &Listener
 }
 
 /// Hardware first; then the CPU engine if it can render the scene; then a software adapter, and the reference at last.
-fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, listener: &Listener) -> Result<Chosen> {
+fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, progress: &Progress) -> Result<Chosen> {
     let settings = wish.settings;
     let chosen =
         |renderer, note: &str| Ok(Chosen { renderer, note: Some(note.into()), why: None, is_reference: false });
@@ -83,7 +80,7 @@ fn automatic(mesh: &Arc<TetMesh>, wish: &Wish<'_>, listener: &Listener) -> Resul
         }
         Err(Error::Device(why)) => {
             let note = format!("{why}; rendered on the CPU with the f64 reference instead, which is slow");
-            Ok(Chosen { is_reference: true, ..chosen(reference(mesh, listener), &note)? })
+            Ok(Chosen { is_reference: true, ..chosen(reference(mesh, progress), &note)? })
         }
         Err(other) => Err(other),
     }
@@ -157,7 +154,6 @@ fn on_gpu(gpu: Gpu, mesh: &Arc<TetMesh>, wish: &Wish<'_>) -> Result<(Box<dyn Ren
     })
 }
 
-fn reference(mesh: &Arc<TetMesh>, listener: &Listener) -> Box<dyn Renderer> {
-    let listener = Arc::clone(listener);
-    Box::new(Oracle::new(Arc::clone(mesh)).with_progress(Box::new(move |share| listener(share))))
+fn reference(mesh: &Arc<TetMesh>, progress: &Progress) -> Box<dyn Renderer> {
+    Box::new(Oracle::new(Arc::clone(mesh)).with_progress(Arc::clone(progress)))
 }

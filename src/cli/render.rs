@@ -4,12 +4,13 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use super::args::{IntegralChoice, RenderArgs};
-use super::device::{Chosen, Listener, Wish};
+use super::device::{Chosen, Wish};
 use super::job::RenderJob;
 use super::load::Wanted;
 use super::stats::{Report, Timing};
 use super::{device, legend, load, output, progress};
 use crate::error::Result;
+use crate::oracle::Progress;
 use crate::renderer::{Frame, OrderMethod, Renderer, choose_integral};
 use crate::tet::Domain;
 
@@ -27,7 +28,7 @@ pub(super) fn run(args: &RenderArgs) -> anyhow::Result<()> {
     match load::domain(&args.source, field, wanted, takes_grids)? {
         load::Domain::Grid(grid) => {
             let grid = Arc::new(grid);
-            let make = |wish: &Wish<'_>, _: &Listener| device::grid_renderer(&grid, wish, job.scene.clip.as_ref());
+            let make = |wish: &Wish<'_>, _: &Progress| device::grid_renderer(&grid, wish, job.scene.clip.as_ref());
             draw(args, &job, &*grid, start.elapsed(), make)
         }
         load::Domain::Mesh(mesh) => {
@@ -37,7 +38,7 @@ pub(super) fn run(args: &RenderArgs) -> anyhow::Result<()> {
                 None => Arc::clone(&mesh),
             };
             // Cameras, units and legends are the whole mesh's.
-            draw(args, &job, &*mesh, start.elapsed(), |wish, listener| device::renderer(&part, wish, listener))
+            draw(args, &job, &*mesh, start.elapsed(), |wish, heard| device::renderer(&part, wish, heard))
         }
     }
 }
@@ -48,12 +49,12 @@ fn draw(
     job: &RenderJob,
     mesh: &dyn Domain,
     load: Duration,
-    make: impl FnOnce(&Wish<'_>, &Listener) -> Result<Chosen>,
+    make: impl FnOnce(&Wish<'_>, &Progress) -> Result<Chosen>,
 ) -> anyhow::Result<()> {
     let (camera, transfer) = job.scene.resolve(mesh)?;
     let bar = progress::bar("rendering");
     let followed = bar.clone();
-    let listener: Listener = Arc::new(move |share| {
+    let heard: Progress = Arc::new(move |share| {
         followed.set_position((1000.0 * share) as u64);
         true
     });
@@ -63,7 +64,7 @@ fn draw(
     let frame =
         Frame { camera: &camera, transfer: &transfer, optics: &job.scene.optics, size: job.scene.size, background };
     let wish = Wish { device: args.device, settings, frame: &frame, shared: None };
-    let Chosen { mut renderer, note, why, is_reference } = progress::step("preparing", || make(&wish, &listener))?;
+    let Chosen { mut renderer, note, why, is_reference } = progress::step("preparing", || make(&wish, &heard))?;
     let prepare = start.elapsed();
     let timed = args.explain || args.stats.is_some();
     let integral = match args.choices.integral {

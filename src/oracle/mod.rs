@@ -33,7 +33,7 @@ pub use view::View;
 
 /// Hears the finished fraction of a picture, from 0 to 1, from any thread and not always in order; says whether the picture
 /// is still wanted.
-pub type Progress = Box<dyn Fn(f64) -> bool + Send + Sync>;
+pub type Progress = Arc<dyn Fn(f64) -> bool + Send + Sync>;
 
 /// The f64 renderer.
 pub struct Oracle {
@@ -55,7 +55,7 @@ impl Oracle {
 
     /// Renders `mesh`.
     pub fn new(mesh: Arc<TetMesh>) -> Self {
-        Self { mesh, progress: Box::new(|_| true) }
+        Self { mesh, progress: Arc::new(|_| true) }
     }
 
     /// Reports progress while a picture is made.
@@ -74,7 +74,7 @@ impl Oracle {
 
     /// The picture with every ray's segments in the order they lie in.
     pub fn image(&self, frame: &Frame<'_>) -> Result<Image> {
-        self.part(frame, [0, 0, frame.size[0], frame.size[1]])
+        self.part(frame, all_of(frame))
     }
 
     /// The same of some pixels: from `left, top` to before `right, bottom`.
@@ -87,7 +87,7 @@ impl Oracle {
         if left >= right || top >= bottom || right > frame.size[0] || bottom > frame.size[1] {
             return Err(Error::Asked(format!("pixels {area:?} are no part of a picture of {:?}", frame.size)));
         }
-        view.image(frame.transfer, Composition::AlongRay, frame.background, area, &self.progress).ok_or_else(given_up)
+        view.image(frame.transfer, Composition::AlongRay, frame.background, area, &*self.progress).ok_or_else(given_up)
     }
 
     /// The same segments composed by one key a cell (a view depth, say), the largest key behind, of equal keys the
@@ -98,8 +98,8 @@ impl Oracle {
             return Err(Error::Asked(format!("{got} keys for {want} tetrahedra: give one each")));
         }
         let view = self.view(frame)?;
-        let all = [0, 0, frame.size[0], frame.size[1]];
-        view.image(frame.transfer, Composition::ByKey(keys), frame.background, all, &self.progress).ok_or_else(given_up)
+        view.image(frame.transfer, Composition::ByKey(keys), frame.background, all_of(frame), &*self.progress)
+            .ok_or_else(given_up)
     }
 
     /// What is seen at any position of the image; the first pixel's centre is (0.5, 0.5). For many positions make a
@@ -114,6 +114,11 @@ impl Oracle {
     }
 }
 
+/// Pixels: left, top, before right, before bottom.
+fn all_of(frame: &Frame<'_>) -> [u32; 4] {
+    [0, 0, frame.size[0], frame.size[1]]
+}
+
 fn given_up() -> Error {
     Error::Asked("the picture was given up".into())
 }
@@ -123,8 +128,7 @@ impl Renderer for Oracle {
         let start = Instant::now();
         let view = self.view(frame)?;
         let binned = start.elapsed();
-        let all = [0, 0, frame.size[0], frame.size[1]];
-        let image = view.image(frame.transfer, Composition::AlongRay, frame.background, all, &self.progress);
+        let image = view.image(frame.transfer, Composition::AlongRay, frame.background, all_of(frame), &*self.progress);
         let image = image.ok_or_else(given_up)?;
         let rendered = start.elapsed();
         let (all, seen) = (self.mesh.tets.len() as u64, view.cells_in_view() as u64);

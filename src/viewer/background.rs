@@ -4,8 +4,8 @@ use thread_priority::{ThreadPriority, ThreadPriorityValue, set_current_thread_pr
 
 use crate::error::{Error, Result};
 
-/// Of 100: half of what threads have; the window's go first.
-const PRIORITY: u8 = 25;
+/// Of 100, where threads have 50: a window that moves goes first, and one at rest takes nothing.
+const PRIORITY: u8 = 5;
 
 /// As many threads as there are cores but one, which is left to the window.
 ///

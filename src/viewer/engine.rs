@@ -381,7 +381,7 @@ impl Worker {
             shared: self.shared.as_ref(),
         };
         let Chosen { renderer, note, why, is_reference } =
-            device::renderer(&wanted.mesh, &wish, &self.slot.watch.listener(Arc::clone(&self.slot.wake)))?;
+            device::renderer(&wanted.mesh, &wish, &self.slot.watch.progress(Arc::clone(&self.slot.wake)))?;
         Ok(Ready {
             mesh: Arc::clone(&wanted.mesh),
             how: side.how,

@@ -9,11 +9,12 @@ use super::background;
 use super::engine::How;
 use super::watch::{Wake, Watch};
 use crate::cli::args::IntegralChoice;
-use crate::cli::device::{self, Listener, Wish};
+use crate::cli::device::{self, Wish};
 use crate::cli::{legend, output};
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::image::PngEncoding;
+use crate::oracle::Progress;
 use crate::renderer::{Frame, choose_integral};
 use crate::scene::{Camera, Scene};
 use crate::tet::TetMesh;
@@ -215,8 +216,8 @@ impl Export {
                 wake();
                 !cancelled.load(Ordering::Relaxed)
             };
-            let listener = followed.listener(Arc::clone(&wake));
-            let result = background::pool().and_then(|pool| pool.install(|| write(&task, &listener, &step)));
+            let progress = followed.progress(Arc::clone(&wake));
+            let result = background::pool().and_then(|pool| pool.install(|| write(&task, &progress, &step)));
             // The window may have been closed.
             let _ = sender.send(result);
             wake();
@@ -246,7 +247,7 @@ impl Export {
 }
 
 /// Writes all pictures; `step` counts them, and says whether to go on.
-fn write(task: &Task, listener: &Listener, step: &dyn Fn() -> bool) -> Result<String> {
+fn write(task: &Task, progress: &Progress, step: &dyn Fn() -> bool) -> Result<String> {
     output::check_picture(&task.path)?;
     let scene = Scene::parse(&task.scene, &[])?;
     if task.has_legend && scene.size[1] < legend::MIN_HEIGHT {
@@ -270,7 +271,7 @@ fn write(task: &Task, listener: &Listener, step: &dyn Fn() -> bool) -> Result<St
     };
     let settings = task.how.choices.settings();
     let wish = Wish { device: task.how.device, settings, frame: &first, shared: task.shared.as_ref() };
-    let mut chosen = device::renderer(&part, &wish, listener)?;
+    let mut chosen = device::renderer(&part, &wish, progress)?;
     if task.how.choices.integral == IntegralChoice::Auto && !chosen.is_reference {
         choose_integral(&mut *chosen.renderer, &first, task.how.choices.tolerance)?;
     }

@@ -6,10 +6,9 @@ use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use super::background;
 use super::engine::Wanted;
 use super::watch::{Wake, Watch};
-use crate::cli::device::Listener;
 use crate::error::{Error, Result};
 use crate::image::{Comparison, Image};
-use crate::oracle::Oracle;
+use crate::oracle::{Oracle, Progress};
 use crate::renderer::Frame;
 
 /// A part that is being made.
@@ -48,7 +47,7 @@ impl Refining {
         let watch = Watch::default();
         let followed = watch.clone();
         std::thread::spawn(move || {
-            let made = make(&wanted, side, area, followed.listener(Arc::clone(&wake)));
+            let made = make(&wanted, side, area, followed.progress(Arc::clone(&wake)));
             // The window may have been closed.
             let _ = sender.send(made);
             wake();
@@ -78,7 +77,7 @@ impl Drop for Refining {
     }
 }
 
-fn make(wanted: &Wanted, side: usize, area: [u32; 4], listener: Listener) -> Result<Image> {
+fn make(wanted: &Wanted, side: usize, area: [u32; 4], progress: Progress) -> Result<Image> {
     let Some(side) = wanted.sides.get(side) else { return Err(Error::Asked("there is no picture".into())) };
     let frame = Frame {
         camera: &wanted.camera,
@@ -88,7 +87,7 @@ fn make(wanted: &Wanted, side: usize, area: [u32; 4], listener: Listener) -> Res
         background: wanted.background,
     };
     let pool = background::pool()?;
-    let oracle = Oracle::new(Arc::clone(&wanted.mesh)).with_progress(Box::new(move |share| listener(share)));
+    let oracle = Oracle::new(Arc::clone(&wanted.mesh)).with_progress(progress);
     pool.install(|| oracle.part(&frame, area))
 }
 

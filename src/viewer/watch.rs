@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
-use crate::cli::device::Listener;
+use crate::oracle::Progress;
 
 /// Steps from nothing to a picture.
 const STEPS: f64 = 1000.0;
@@ -23,7 +23,7 @@ pub type Wake = Arc<dyn Fn() + Send + Sync>;
 
 impl Watch {
     /// Hears for a renderer; the window is drawn again at each hundredth.
-    pub fn listener(&self, wake: Wake) -> Listener {
+    pub fn progress(&self, wake: Wake) -> Progress {
         let watch = self.clone();
         Arc::new(move |share| {
             let percent = |share: f64| (100.0 * share) as u32;

@@ -17,6 +17,7 @@ use crate::cli::device::{self, Wish};
 use crate::cli::output;
 use crate::error::{Error, Result};
 use crate::image::{Comparison, Image, PngEncoding};
+use crate::oracle::Progress;
 use crate::renderer::{Frame, PassTime, Renderer, TOLERANCE, choose_integral};
 use crate::report::record::{Contender, Deviation, Machine, Measured, Pass, Record, Spread, Subject};
 use crate::tet::{Domain as _, TetMesh};
@@ -255,7 +256,7 @@ fn make(mesh: &Arc<TetMesh>, choice: Choice, scenery: &Scenery) -> Result<Ready>
     let settings = ChoiceArgs::of(method, order, integral).settings();
     let frame = subject::frame(&scenery.shot, scenery.subject.size);
     let wish = Wish { device, settings, frame: &frame, shared: None };
-    let unheard: device::Listener = Arc::new(|_| true);
+    let unheard: Progress = Arc::new(|_| true);
     let start = Instant::now();
     let chosen = device::renderer(mesh, &wish, &unheard)?;
     let made = start.elapsed();

@@ -1,12 +1,13 @@
 //! The window without a window: its logic is driven by events, pictures are made as ever.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Duration;
 
-use eframe::egui::{Event, Key, Modifiers, Pos2, Rect, vec2};
+use eframe::egui::{Event, Key, Modifiers, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
+use self::driven::{drag, fire, place, settle};
 use super::{App, Compare, Start};
 use crate::cli::args::{Device, IntegralChoice, Order};
 use crate::renderer::SegmentIntegral;
@@ -15,9 +16,8 @@ use crate::viewer::clip_box;
 use crate::viewer::engine::How;
 use crate::viewer::look::Kind;
 
-fn fire() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/data/fire_ug.vtu")
-}
+#[path = "../../../tests/common/window.rs"]
+mod driven;
 
 /// On the CPU, which every machine has.
 fn start(mesh: &Path) -> Start {
@@ -30,40 +30,6 @@ fn window(start: Start) -> Harness<'static, App> {
     Harness::builder()
         .with_size(size)
         .build_eframe(|context| App::new(context, start, None).unwrap_or_else(|e| panic!("{e}")))
-}
-
-/// Frames until nothing is being done beside the window.
-fn settle(window: &mut Harness<'_, App>) {
-    for _ in 0..6_000 {
-        window.step();
-        if window.state().is_idle() {
-            // What a frame changes is asked for at its end.
-            window.step();
-            if window.state().is_idle() {
-                return;
-            }
-        }
-        std::thread::sleep(Duration::from_millis(10));
-    }
-    panic!("nothing came of it: {:?}", window.state().messages());
-}
-
-fn place(window: &Harness<'_, App>, name: &str) -> Rect {
-    window.get_by_label(name).rect()
-}
-
-/// Press, move and let go, a frame each.
-fn drag(window: &mut Harness<'_, App>, from: Pos2, to: Pos2) {
-    window.hover_at(from);
-    window.step();
-    window.drag_at(from);
-    window.step();
-    for share in [0.25, 0.5, 1.0] {
-        window.hover_at(from + share * (to - from));
-        window.step();
-    }
-    window.drop_at(to);
-    window.step();
 }
 
 fn press(window: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
