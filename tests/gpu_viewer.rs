@@ -42,7 +42,15 @@ fn rest(window: &mut Harness<'_, App>) {
 }
 
 fn picture_of(window: &mut Harness<'_, App>, part: Rect) -> RgbaImage {
-    let all = window.render().unwrap_or_else(|e| panic!("{e}"));
+    let mut all = window.render().unwrap_or_else(|e| panic!("{e}"));
+    // A window begins with the application's colour, and this with nothing (premultiplied).
+    let below = window.ctx.global_style().visuals.panel_fill;
+    for pixel in all.pixels_mut() {
+        let through = 255 - u32::from(pixel[3]);
+        for (channel, below) in pixel.0.iter_mut().zip(below.to_array()) {
+            *channel = (u32::from(*channel) + (u32::from(below) * through + 127) / 255).min(255) as u8;
+        }
+    }
     let [x, y, w, h] = [part.left(), part.top(), part.width(), part.height()].map(|v| v.max(0.0) as u32);
     image::imageops::crop_imm(&all, x, y, w.min(all.width() - x), h.min(all.height() - y)).to_image()
 }

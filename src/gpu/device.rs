@@ -27,6 +27,7 @@ pub struct Gpu {
     pub device: wgpu::Device,
     /// Its queue.
     pub queue: wgpu::Queue,
+    instance: wgpu::Instance,
     adapter: wgpu::Adapter,
     /// Adapter, driver, back end.
     pub info: wgpu::AdapterInfo,
@@ -37,11 +38,15 @@ pub struct Gpu {
     pub(super) made: Arc<Mutex<Made>>,
 }
 
-/// The process's one way to its drivers. NVIDIA's found no adapter any more after it was loaded and unloaded some thirty
-/// times (580.159).
+/// The process's one way to its drivers, but for a window's. NVIDIA's found no adapter any more after it was loaded and
+/// unloaded some thirty times (580.159).
 fn instance() -> &'static wgpu::Instance {
     static INSTANCE: OnceLock<wgpu::Instance> = OnceLock::new();
-    INSTANCE.get_or_init(|| wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env()))
+    INSTANCE.get_or_init(new_instance)
+}
+
+fn new_instance() -> wgpu::Instance {
+    wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env())
 }
 
 impl Gpu {
@@ -53,12 +58,25 @@ impl Gpu {
         Self::with_binding_limit(choice, u64::MAX)
     }
 
+    /// Opens the best adapter for a window. lavapipe's threads are an instance's: the window has its own, and does not wait
+    /// for what other devices draw.
+    ///
+    /// # Errors
+    /// As [`Gpu::new`].
+    pub fn for_window() -> Result<Self> {
+        Self::of(&new_instance(), DeviceChoice::Any, u64::MAX)
+    }
+
     /// The same with storage bindings kept at or below `limit` bytes: how small adapters are tested on large ones.
     ///
     /// # Errors
     /// As [`Gpu::new`].
     pub fn with_binding_limit(choice: DeviceChoice, limit: u64) -> Result<Self> {
-        let mut adapters = pollster::block_on(instance().enumerate_adapters(wgpu::Backends::PRIMARY));
+        Self::of(instance(), choice, limit)
+    }
+
+    fn of(instance: &wgpu::Instance, choice: DeviceChoice, limit: u64) -> Result<Self> {
+        let mut adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::PRIMARY));
         adapters.retain(|a| match choice {
             DeviceChoice::Any => true,
             DeviceChoice::Software => is_software(&a.get_info()),
@@ -67,7 +85,7 @@ impl Gpu {
         adapters.sort_by_key(|a| preference(a.get_info().device_type));
         let mut refusal = None;
         for adapter in adapters {
-            match Self::open(&adapter, limit) {
+            match Self::open(instance, &adapter, limit) {
                 Ok(gpu) => return Ok(gpu),
                 Err(error) => refusal = Some(error),
             }
@@ -85,7 +103,7 @@ impl Gpu {
         }))
     }
 
-    fn open(adapter: &wgpu::Adapter, limit: u64) -> Result<Self> {
+    fn open(instance: &wgpu::Instance, adapter: &wgpu::Adapter, limit: u64) -> Result<Self> {
         let info = adapter.get_info();
         let wanted = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::FLOAT32_BLENDABLE;
         let limits = adapter.limits();
@@ -110,12 +128,21 @@ impl Gpu {
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
             heard.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
         }));
-        Ok(Self { device, queue, adapter: adapter.clone(), info, max_binding, complaint, made: Arc::default() })
+        Ok(Self {
+            device,
+            queue,
+            instance: instance.clone(),
+            adapter: adapter.clone(),
+            info,
+            max_binding,
+            complaint,
+            made: Arc::default(),
+        })
     }
 
     /// What a window needs to draw on the same device: instance, adapter, device, queue.
     pub fn parts(&self) -> (wgpu::Instance, wgpu::Adapter, wgpu::Device, wgpu::Queue) {
-        (instance().clone(), self.adapter.clone(), self.device.clone(), self.queue.clone())
+        (self.instance.clone(), self.adapter.clone(), self.device.clone(), self.queue.clone())
     }
 
     /// True where shaders run on the host's cores.

@@ -5,22 +5,21 @@ use std::time::{Duration, Instant};
 
 /// Frames that are remembered.
 const FRAMES: usize = 120;
-/// Frames further apart than this did not wait for each other.
-const APART: Duration = Duration::from_millis(250);
 
 /// Times of the last frames.
 #[derive(Debug, Default)]
 pub struct Clock {
     last: Option<Instant>,
-    /// From one to the next, where they follow each other closely.
+    /// From one to the next, where nothing but the first was waited for.
     apart: VecDeque<Duration>,
 }
 
 impl Clock {
-    /// A frame begins.
-    pub fn hear(&mut self, now: Instant) {
+    /// A frame begins; `is_late`: something had come by then that the one before did not show. Without it, the window may
+    /// have rested between the two.
+    pub fn hear(&mut self, now: Instant, is_late: bool) {
         let apart = self.last.map(|last| now.saturating_duration_since(last));
-        self.apart.extend(apart.filter(|apart| *apart < APART));
+        self.apart.extend(apart.filter(|_| is_late));
         if self.apart.len() > FRAMES {
             self.apart.pop_front();
         }
@@ -44,9 +43,11 @@ mod tests {
         let mut clock = Clock::default();
         let mut now = Instant::now();
         assert_eq!(clock.median_and_95th(), None);
-        for milliseconds in [0, 90, 3_000].into_iter().chain([20; FRAMES]).chain([40; 7]) {
+        let frames =
+            [(0, true), (90, true), (120, false)].into_iter().chain([(20, true); FRAMES]).chain([(40, true); 7]);
+        for (milliseconds, is_late) in frames {
             now += Duration::from_millis(milliseconds);
-            clock.hear(now);
+            clock.hear(now, is_late);
         }
         // Rest is no slow frame, and the one of 90 ms is forgotten.
         assert_eq!(clock.median_and_95th(), Some([20, 40].map(Duration::from_millis)));

@@ -38,7 +38,7 @@ pub use look::{Kind, Look};
 use crate::cli;
 use crate::cli::args::{IntegralChoice, ViewArgs};
 use crate::error::Error;
-use crate::gpu::{DeviceChoice, Gpu};
+use crate::gpu::Gpu;
 
 /// Does what the arguments (the program's name first) ask, as [`cli::main`] does, and opens the window where they say so.
 pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
@@ -56,7 +56,7 @@ fn start(args: &ViewArgs) -> Start {
 }
 
 fn open(args: &ViewArgs) -> anyhow::Result<()> {
-    let gpu = Gpu::new(DeviceChoice::Any)?;
+    let gpu = Gpu::for_window()?;
     // A still on a software adapter would hold the window up: there pictures get a device of their own, or the CPU engine.
     let is_software = gpu.is_software();
     let shared = (!is_software).then(|| gpu.clone());

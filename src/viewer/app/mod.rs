@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::sync::mpsc::Receiver;
 use std::time::Instant;
 
-use eframe::egui::{self, Context, Panel, Ui};
+use eframe::egui::{self, Color32, Context, Event, Panel, Ui, UiBuilder, UiKind, UiStackInfo};
 
 use crate::cli::args::{IntegralChoice, name_of};
 use crate::error::{Error, Result};
@@ -22,6 +22,7 @@ use crate::image::{Comparison, Image};
 use crate::renderer::SegmentIntegral;
 use crate::scene::{Camera, Projection, Scene, TransferFunction};
 use crate::tet::Domain as _;
+use crate::viewer::background::Steward;
 use crate::viewer::canvas::{Canvas, Scenery};
 use crate::viewer::clipping::Clipper;
 use crate::viewer::clock::Clock;
@@ -90,6 +91,8 @@ pub struct App {
     drawn_before: (Backdrop, [f32; 4]),
     /// Makes pictures of the screen: the common threads may be busy for long.
     threads: rayon::ThreadPool,
+    /// Hears of whoever uses the window.
+    steward: Steward,
     pictures: Vec<Image>,
     shown: Option<Shown>,
     /// What is shown is the last that was wanted.
@@ -146,6 +149,7 @@ impl App {
             backdrop: Backdrop::Plain,
             drawn_before: (Backdrop::Plain, [0.0; 4]),
             threads,
+            steward: Steward::new()?,
             pictures: Vec::new(),
             shown: None,
             is_answered: false,
@@ -397,20 +401,33 @@ impl App {
 }
 
 impl eframe::App for App {
+    /// What panels are filled with, which costs nothing this way: software rasterisers took a third of a frame to fill them.
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        visuals.panel_fill.to_normalized_gamma_f32()
+    }
+
     fn logic(&mut self, ctx: &Context, _: &mut eframe::Frame) {
         self.poll(ctx);
     }
 
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
-        self.clock.hear(Instant::now());
+        let moves = ctx.input(|i| i.events.iter().filter(|event| matches!(event, Event::PointerMoved(_))).count());
+        self.clock.hear(Instant::now(), moves > 1);
+        if moves > 0 && !ctx.input(|i| i.pointer.any_down()) {
+            // Of who pulls at something, pictures are awaited as much as the window.
+            self.steward.hear();
+        }
         self.keys(&ctx);
         self.name_window(&ctx);
-        Panel::top("menus").show(ui, |ui| self.menus(ui));
-        Panel::bottom("status").show(ui, |ui| self.status(ui));
-        Panel::right("function").resizable(true).default_size(430.0).size_range(320.0..=900.0).show(ui, |ui| {
-            self.side_panel(ui);
-        });
+        // What they would be filled with is there.
+        let frame = egui::Frame::side_top_panel(ui.style()).fill(Color32::TRANSPARENT);
+        Panel::top("menus").frame(frame).show(ui, |ui| self.menus(ui));
+        Panel::bottom("status").frame(frame).show(ui, |ui| self.status(ui));
+        let side = Panel::right("function").frame(frame).resizable(true).default_size(430.0).size_range(320.0..=900.0);
+        // What fades out at the panel's end fades to this.
+        let below = UiStackInfo::new(UiKind::Frame).with_frame(egui::Frame::new().fill(ui.visuals().panel_fill));
+        side.show(ui, |ui| ui.scope_builder(UiBuilder::new().ui_stack_info(below), |ui| self.side_panel(ui)));
         egui::CentralPanel::no_frame().show(ui, |ui| {
             let names = self.names();
             if let Some(sitting) = &mut self.sitting {
