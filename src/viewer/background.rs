@@ -113,3 +113,33 @@ mod way {
     pub fn leave() {}
     pub fn make(_: bool) {}
 }
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use std::time::Instant;
+
+    use thread_priority::unix::{
+        NormalThreadSchedulePolicy, ThreadSchedulePolicy, thread_native_id, thread_schedule_policy_param,
+    };
+
+    use super::*;
+
+    #[test]
+    fn threads_make_way_while_somebody_uses_the_window() {
+        let pool = pool().expect("threads");
+        let steward = Steward::new().expect("a thread");
+        let thread = pool.install(thread_native_id);
+        let becomes = |policy| {
+            let wanted = ThreadSchedulePolicy::Normal(policy);
+            let end = Instant::now() + Duration::from_secs(20);
+            while thread_schedule_policy_param(thread).expect("a policy").0 != wanted {
+                assert!(Instant::now() < end, "{wanted:?} is waited for");
+                std::thread::sleep(Duration::from_millis(5));
+            }
+        };
+        becomes(NormalThreadSchedulePolicy::Other);
+        steward.hear();
+        becomes(NormalThreadSchedulePolicy::Idle);
+        becomes(NormalThreadSchedulePolicy::Other);
+    }
+}
