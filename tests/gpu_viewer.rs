@@ -44,11 +44,11 @@ fn rest(window: &mut Harness<'_, App>) {
 fn picture_of(window: &mut Harness<'_, App>, part: Rect) -> RgbaImage {
     let mut all = window.render().unwrap_or_else(|e| panic!("{e}"));
     // A window begins with the application's colour, and this with nothing (premultiplied).
-    let below = window.ctx.global_style().visuals.panel_fill;
+    let below = eframe::App::clear_color(window.state(), &window.ctx.global_style().visuals);
     for pixel in all.pixels_mut() {
-        let through = 255 - u32::from(pixel[3]);
-        for (channel, below) in pixel.0.iter_mut().zip(below.to_array()) {
-            *channel = (u32::from(*channel) + (u32::from(below) * through + 127) / 255).min(255) as u8;
+        let through = f32::from(255 - pixel[3]);
+        for (channel, below) in pixel.0.iter_mut().zip(below) {
+            *channel = (f32::from(*channel) + below * through).round() as u8;
         }
     }
     let [x, y, w, h] = [part.left(), part.top(), part.width(), part.height()].map(|v| v.max(0.0) as u32);

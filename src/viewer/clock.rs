@@ -10,7 +10,7 @@ const FRAMES: usize = 120;
 #[derive(Debug, Default)]
 pub struct Clock {
     last: Option<Instant>,
-    /// From one to the next, where nothing but the first was waited for.
+    /// From one to the next, where the next was waited for.
     apart: VecDeque<Duration>,
 }
 

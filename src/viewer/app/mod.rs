@@ -414,8 +414,8 @@ impl eframe::App for App {
         let ctx = ui.ctx().clone();
         let moves = ctx.input(|i| i.events.iter().filter(|event| matches!(event, Event::PointerMoved(_))).count());
         self.clock.hear(Instant::now(), moves > 1);
+        // While something is pulled, pictures are awaited as much as the window.
         if moves > 0 && !ctx.input(|i| i.pointer.any_down()) {
-            // Of who pulls at something, pictures are awaited as much as the window.
             self.steward.hear();
         }
         self.keys(&ctx);
